@@ -7,151 +7,90 @@
 #include "words.h"
 
 #include <float.h>
-#include <math.h>
+#include <stdlib.h>
+
+static char *facts_of(Diagnosis wrong)
+{
+    free(wrong.cause);
+    return wrong.found;
+}
 
 // ---- choose_split -------------------------------------------------------------------------------
 
-// What an answer with a mistake returns for a cell; the position is on the axis that it chose.
-typedef u32 MistakenAxis(BBox3D cell);
-typedef double MistakenMiddle(BBox3D cell, u32 axis);
+#define GIVEN                                                                                      \
+    const BBox3D in = ((const Job06 *)job)->splits[i];                                             \
+    const SplitAnswer3D found = ((const SplitAnswer3D *)answers)[i]
+#define IS_FOUND(expected) (found.axis == (expected))
 
-static u32 axis_by_whole_numbers(BBox3D cell)
+static char *describe_axis(const void *job, int i, const void *answers)
 {
-    u32 longest = 0;
-    for (u32 axis = 1; axis < 3; axis++) {
-        if ((int)(cell.max[axis] - cell.min[axis]) > (int)(cell.max[longest] - cell.min[longest])) {
-            longest = axis;
-        }
-    }
-    return longest;
+    GIVEN;
+    return facts_of(tree3d_judge_axis("choose_split", in, found.axis));
 }
 
-static u32 axis_by_largest(BBox3D cell)
-{
-    const u32 first = cell.max[1] > cell.max[0] ? 1 : 0;
-    return cell.max[2] > cell.max[first] ? 2 : first;
-}
+RIGHT(is_longest, facts_are_none(describe_axis(job, i, answers)))
 
-static double side_length(BBox3D cell, u32 axis)
-{
-    return (double)cell.max[axis] - cell.min[axis];
-}
-
-// The last one that is longer than x.
-static u32 axis_beside_x(BBox3D cell)
-{
-    return side_length(cell, 2) > side_length(cell, 0)   ? 2
-           : side_length(cell, 1) > side_length(cell, 0) ? 1
-                                                         : 0;
-}
-
-// Each compared with the one before it only.
-static u32 axis_beside_last(BBox3D cell)
-{
-    return side_length(cell, 2) > side_length(cell, 1)   ? 2
-           : side_length(cell, 1) > side_length(cell, 0) ? 1
-                                                         : 0;
-}
-
+#define LENGTH(axis) ((double)in.max[axis] - in.min[axis])
+#define OWN_LENGTH LENGTH(found.axis)
+#define LONGEST fmax(LENGTH(0), fmax(LENGTH(1), LENGTH(2)))
+#define SHORTEST fmin(LENGTH(0), fmin(LENGTH(1), LENGTH(2)))
+#define AXIS_OF_LARGEST(x, y, z) ((z) > fmax(x, y) ? 2u : (y) > (x) ? 1u : 0u)
 #define NOT_THE_LONGEST                                                                            \
     "each side was compared with one other only: the longest so far has to be remembered"
 
-static const struct {
-    MistakenAxis *axis;
-    const char *says;
-} axis_mistakes[] = {
-    {axis_beside_x, NOT_THE_LONGEST},
-    {axis_beside_last, NOT_THE_LONGEST},
-    {axis_by_whole_numbers, "the sides were compared as whole numbers"},
-    {axis_by_largest, "that is the axis of the largest coordinate, not of the longest side"},
+ANSWERS(beside_x, LENGTH(2) > LENGTH(0) ? 2u : LENGTH(1) > LENGTH(0) ? 1u : 0u, NOT_THE_LONGEST)
+ANSWERS(beside_last, LENGTH(2) > LENGTH(1) ? 2u : LENGTH(1) > LENGTH(0) ? 1u : 0u, NOT_THE_LONGEST)
+ANSWERS(whole_lengths, AXIS_OF_LARGEST(trunc(LENGTH(0)), trunc(LENGTH(1)), trunc(LENGTH(2))),
+        "the sides were compared as whole numbers")
+ANSWERS(largest, AXIS_OF_LARGEST(in.max[0], in.max[1], in.max[2]),
+        "that is the axis of the largest coordinate, not of the longest side")
+ANSWERS(always_x, 0u, "x was split every time: the longest side is to be split")
+ANSWERS(never_z, LENGTH(1) > LENGTH(0) ? 1u : 0u, "z was never split, and a cell has three sides")
+ONLY(no_axis, found.axis >= 3, "there are axes 0, 1 and 2")
+ONLY(equal, found.axis < 3 && OWN_LENGTH == LONGEST, "of equal sides the first counts")
+ONLY(nearly_equal, found.axis < 3 && LONGEST - OWN_LENGTH < LONGEST / 1024,
+     "these sides are not equal, if nearly, and the longest is split")
+ONLY(shortest, found.axis < 3 && OWN_LENGTH == SHORTEST, "that side is the shortest")
+
+static const Known *const known_of_axis[] = {
+    &beside_x, &beside_last, &whole_lengths, &largest,      &always_x,
+    &never_z,  &no_axis,     &equal,         &nearly_equal, &shortest,
 };
 
-static double middle_in_whole_numbers(BBox3D cell, u32 axis)
-{
-    return floor(((double)cell.min[axis] + cell.max[axis]) / 2);
-}
-
-static double middle_of_x(BBox3D cell, u32 axis)
-{
-    (void)axis;
-    return ((double)cell.min[0] + cell.max[0]) / 2;
-}
-
-static double sum_of_ends(BBox3D cell, u32 axis)
-{
-    return (double)cell.min[axis] + cell.max[axis];
-}
-
-static double zero_for_a_point(BBox3D cell, u32 axis)
-{
-    return cell.max[axis] > cell.min[axis] ? ((double)cell.min[axis] + cell.max[axis]) / 2 : 0;
-}
-
-static const struct {
-    MistakenMiddle *middle;
-    const char *says;
-} middle_mistakes[] = {
-    {zero_for_a_point, "other cells are right, but one of no length has its middle where it lies, "
-                       "too"},
-    {middle_in_whole_numbers, "the middle was rounded to a whole number"},
-    {middle_of_x, "the position is the middle of x, whatever the axis"},
-    {sum_of_ends, "the sum of both ends is to be halved"},
-};
-
-// The mistake that explains all answers, or NULL.
-static const char *axes_look(const Job06 *job, const SplitAnswer3D *found)
-{
-    for (int m = 0; m < COUNT(axis_mistakes); m++) {
-        int i = 0;
-        while (i < N_SPLITS && found[i].axis == axis_mistakes[m].axis(job->splits[i])) {
-            i++;
-        }
-        if (i == N_SPLITS) {
-            return axis_mistakes[m].says;
-        }
-    }
-    return NULL;
-}
-
-static const char *middles_look(const Job06 *job, const SplitAnswer3D *found)
-{
-    for (int m = 0; m < COUNT(middle_mistakes); m++) {
-        int i = 0;
-        while (i < N_SPLITS && found[i].axis < 3 &&
-               fabs(found[i].pos - middle_mistakes[m].middle(job->splits[i], found[i].axis)) <=
-                   FLT_EPSILON * 4096) {
-            i++;
-        }
-        if (i == N_SPLITS) {
-            return middle_mistakes[m].says;
-        }
-    }
-    return NULL;
-}
-
-static Diagnosis split_axis_fault(const void *job, int i, const void *answers)
-{
-    const SplitAnswer3D *found = answers;
-    const Diagnosis wrong =
-        tree3d_judge_axis("choose_split", ((const Job06 *)job)->splits[i], found[i].axis);
-    return explained_06(wrong, wrong.found != NULL ? axes_look(job, found) : NULL);
-}
+const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
+                                KNOWING(is_longest, describe_axis, known_of_axis)};
+#undef IS_FOUND
 
 // Where along the side that the student has chosen. An axis that is none is the other check's
 // matter.
-static Diagnosis split_middle_fault(const void *job, int i, const void *answers)
+#define OWN_AXIS (found.axis < 3 ? found.axis : 0)
+#define LOW_END ((double)in.min[OWN_AXIS])
+#define HIGH_END ((double)in.max[OWN_AXIS])
+#define IS_FOUND(at) (fabs(found.pos - (at)) <= FLT_EPSILON * 4096)
+
+static char *describe_middle(const void *job, int i, const void *answers)
 {
-    const SplitAnswer3D *found = answers;
-    const Diagnosis wrong =
-        tree3d_judge_middle("choose_split", ((const Job06 *)job)->splits[i],
-                            found[i].axis < 3 ? found[i].axis : 0, found[i].pos);
-    return explained_06(wrong, wrong.found != NULL ? middles_look(job, found) : NULL);
+    GIVEN;
+    return facts_of(tree3d_judge_middle("choose_split", in, OWN_AXIS, found.pos));
 }
 
-const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
-                                .fault = split_axis_fault};
+RIGHT(is_middle, facts_are_none(describe_middle(job, i, answers)))
+
+ANSWERS(zero_for_a_point, HIGH_END > LOW_END ? (LOW_END + HIGH_END) / 2 : 0,
+        "other cells are right, but one of no length has its middle where it lies, too")
+ANSWERS(whole_middle, floor((LOW_END + HIGH_END) / 2), "the middle was rounded to a whole number")
+ANSWERS(middle_of_x, ((double)in.min[0] + in.max[0]) / 2,
+        "the position is the middle of x, whatever the axis")
+ANSWERS(sum_of_ends, LOW_END + HIGH_END, "the sum of both ends is to be halved")
+ANSWERS(half_length, (HIGH_END - LOW_END) / 2, "that is half the length, as if the cell began at 0")
+
+static const Known *const known_of_middle[] = {&zero_for_a_point, &whole_middle, &middle_of_x,
+                                               &sum_of_ends, &half_length};
+
 const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
-                                  .fault = split_middle_fault};
+                                  KNOWING(is_middle, describe_middle, known_of_middle)};
+#undef GIVEN
+#undef IS_FOUND
 
 // ---- sphere_overlaps_box ------------------------------------------------------------------------
 
@@ -245,19 +184,24 @@ const Function overlap_06 = {
 
 // ---- fits_todo ----------------------------------------------------------------------------------
 
-static Diagnosis fits_fault(const void *job, int i, const void *answers)
+#define GIVEN                                                                                      \
+    const int in = i + 1;                                                                          \
+    const int found = ((const i32 *)answers)[i];                                                   \
+    (void)job
+
+RIGHT(is_right_level, (found != 0) == (in <= TODO_SIZE))
+
+static char *describe_level(const void *job, int i, const void *answers)
 {
-    const int level = i + 1, expected = level <= TODO_SIZE;
-    const i32 found = ((const i32 *)answers)[i];
-    (void)job;
-    return (found != 0) == expected
-               ? NOTHING_WRONG
-               : diagnosis_of(
-                     message_new("level %d: found %d, expected %d", level, found, expected),
-                     (Cause){.says = words("splitting there leaves up to %d nodes waiting, and "
-                                           "TODO_SIZE is %d",
-                                           level, TODO_SIZE)
-                                         .text});
+    GIVEN;
+    return message_new("level %d: found %d, expected %d: splitting there leaves up to %d nodes "
+                       "waiting, and TODO_SIZE is %d",
+                       in, found, in <= TODO_SIZE, in, TODO_SIZE);
 }
 
-const Function fits_06 = {"todo", TODO_LEVELS, sizeof(i32), .fault = fits_fault};
+const Function fits_06 = {"todo",
+                          TODO_LEVELS,
+                          sizeof(i32),
+                          .is_right = is_right_level,
+                          .describe = describe_level,
+                          .counted = "levels"};

@@ -16,6 +16,13 @@ int edge_of(int i, int n, int n_edges)
     return i < n - n_edges ? -1 : i - (n - n_edges);
 }
 
+int facts_are_none(char *facts)
+{
+    const int is_right = facts == NULL;
+    free(facts);
+    return is_right;
+}
+
 const void *function_answers(const Function *function, const Sections *answers)
 {
     return sections_find(answers, function->section, (size_t)function->n * function->answer_bytes);

@@ -63,6 +63,9 @@ typedef struct Function {
 #define KNOWING(right, words, list)                                                                \
     .is_right = (right), .describe = (words), .known = (list), .n_known = COUNT(list)
 
+// Are there no facts, so that the answer is right? Releases them.
+int facts_are_none(char *facts);
+
 // The function's answers, or NULL when they are missing.
 const void *function_answers(const Function *function, const Sections *answers);
 
