@@ -193,7 +193,7 @@ static char *describe(const AxesCall *call, const char *remark)
 
 static char *describe_lengths(const void *job, int i, const void *answers)
 {
-    GIVEN;
+    const AxesCall call = axes_call(job, i, answers);
     return describe(&call, not_orthonormal(&call));
 }
 
