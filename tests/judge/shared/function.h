@@ -29,7 +29,7 @@ typedef struct Function {
     const char *section;  // of the answers
     int n;                // how many there are in all ranges together
     size_t answer_bytes;  // of one
-    size_t inputs;        // what the functions below get for the job begins here in it
+    size_t inputs;        // where in the job that begins which the functions below get for it
 
     // What is wrong with answer number i, or NOTHING_WRONG. Owned by the caller.
     Diagnosis (*fault)(const void *job, int i, const void *answers);
@@ -42,7 +42,7 @@ typedef struct Function {
     const char *counted;  // "points"; NULL for "inputs"
     const Known *const *known;
     int n_known;
-    int is_known_by_all;  // and every answer of the other ranges, which share few of their mistakes
+    int is_known_by_all;  // and every answer of the other ranges: one alone says too little
 
     // In the place of is_right and known: does answer number i agree with what comes of a mistake,
     // or of none, which is number 0?
