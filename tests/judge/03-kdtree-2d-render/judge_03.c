@@ -4,7 +4,6 @@
 
 #include "job_work.h"
 #include "message.h"
-#include "packed_list.h"
 #include "words.h"
 
 #include <math.h>
@@ -145,17 +144,16 @@ static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found)
                      (Cause){.says = explain_steps(found.n_nodes_visited, steps)});
 }
 
-static Cause explain_tests(u32 found, u32 n)
+static const char *explain_tests(u32 found, u32 n)
 {
-    const char *says = found == 0 ? "either the function was not called, or not with &work: work "
-                                    "that is hidden cannot be counted"
-                       : n == 0   ? "an empty list has no circle to ask"
-                       : found == 2 * n ? "each was asked twice"
-                       : found > n      ? "some were asked more than once, or circles that are not "
-                                          "in the list"
-                                        : "circles of the list were not asked";
-    const Cause cut = number_cause(found, n);
-    return cut.says != NULL ? cut : (Cause){.says = says};
+    return found == (n & 0xff)     ? "that is what 8 bits hold of it"
+           : found == (n & 0xffff) ? "that is what 16 bits hold of it"
+           : found == 0            ? "either the function was not called, or not with &work: work "
+                                     "that is hidden cannot be counted"
+           : n == 0                ? "an empty list has no circle to ask"
+           : found == 2 * n        ? "each was asked twice"
+           : found > n ? "some were asked more than once, or circles that are not in the list"
+                       : "circles of the list were not asked";
 }
 
 static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
@@ -168,7 +166,7 @@ static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
                                           "time%s, but the leaf lists %u circle%s",
                                           scene->picture.title, x, y, found.n_tests,
                                           plural(found.n_tests), n, plural(n)),
-                              explain_tests(found.n_tests, n));
+                              (Cause){.says = explain_tests(found.n_tests, n)});
 }
 
 // Judge the counted work of scene K. In a large picture every seventh pixel each way is plenty: the

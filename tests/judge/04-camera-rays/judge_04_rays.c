@@ -89,6 +89,7 @@ static OracleVector with_unit_sides(OracleVector p)
 
 #define CAMERA (&in->camera)
 #define DISPLAY display(in, in->camera.fov, in->width, in->height)
+#define IS_MIDDLE (2 * in->x + 1 == in->width && 2 * in->y + 1 == in->height)
 
 ANSWERS(turned_round, turned_back(CAMERA, DISPLAY),
         "the view transform is turned round: x times right plus y times up plus z times forward")
@@ -102,8 +103,9 @@ ANSWERS(with_swapped_size, turned_by(CAMERA, display(in, CAMERA->fov, in->height
         "width and height are swapped")
 ANSWERS(up_is_down, turned_by(CAMERA, (OracleVector){DISPLAY.x, -DISPLAY.y, 1}),
         "up and down are swapped")
-ANSWERS(unit_sides, turned_by(CAMERA, with_unit_sides(DISPLAY)),
-        "the part along the display was made a unit vector before forward was added")
+// In the very middle there is no such part.
+EACH(unit_sides, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, with_unit_sides(DISPLAY))),
+     "the part along the display was made a unit vector before forward was added")
 // A sum with the eye rounds to the eye's digits.
 ONLY(
     far_eye,

@@ -137,6 +137,7 @@ static int holds_corner(SphereBoxJob in, int is_farthest)
 
 ANSWERS(by_signed_root, sqrt(D2) <= RADIUS,
         "a negative radius counts as its absolute value; and the root is rounded: compare squares")
+
 static double to_middle(double value, float min, float max)
 {
     return value - ((double)min + max) / 2;

@@ -1,7 +1,5 @@
-// Lists of leaves, and causes of wrong ones (see packed_list.h).
+// Lists of leaves, and how they may be wrong (see packed_list.h).
 #include "packed_list.h"
-
-#include <stddef.h>
 
 PackJob pack_roll(Random *random, int edge, u32 n_least)
 {
@@ -25,14 +23,6 @@ PackJob pack_roll(Random *random, int edge, u32 n_least)
         id += (u32)random_integer(random, 1, 90);
     }
     return job;
-}
-
-Cause number_cause(u32 found, u32 expected)
-{
-    return (Cause){.says = found == expected              ? NULL
-                           : found == (expected & 0xff)   ? "that is what 8 bits hold of it"
-                           : found == (expected & 0xffff) ? "that is what 16 bits hold of it"
-                                                          : NULL};
 }
 
 int is_cut(const u32 *found, const u32 *expected, u32 n, u32 bits)

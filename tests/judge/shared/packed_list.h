@@ -1,9 +1,7 @@
-// Leaves to be packed, and what is known of wrong lists of ids and of wrong counts of them (labs 02
-// and 06).
+// Leaves to be packed, and how lists of their ids may be wrong (labs 02 and 06).
 #ifndef JUDGE_PACKED_LIST_H
 #define JUDGE_PACKED_LIST_H
 
-#include "diagnosis.h"
 #include "jobs.h"
 #include "random.h"
 
@@ -11,9 +9,6 @@
 // every job.
 enum { N_PACK_EDGES = 6 };
 PackJob pack_roll(Random *random, int edge, u32 n_least);
-
-// Is a number what 8 or 16 bits hold of the right one?
-Cause number_cause(u32 found, u32 expected);
 
 // How a list of ids may be wrong: from the last to the first; positions for ids; as many bytes
 // copied as there are ids; of each id these bits.
