@@ -36,21 +36,28 @@ static char *describe(const void *job, int i, const void *answers)
 static const Function doubles = {"doubles", N_NUMBERS, sizeof(int),
                                  KNOWING(is_right, describe, known)};
 
-// What is said of these answers for the numbers 0, 2, 3 and -1, or for `range` of them.
-static void expect_said(Range range, const int answers[N_NUMBERS], const char *expected)
+// What a function says of these answers for the numbers of a job, or for `range` of them.
+static void expect_said_by(const Function *function, const void *job, Range range,
+                           const int answers[N_NUMBERS], const char *expected)
 {
-    const Numbers job = {{0, 2, 3, -1}};
     char *bytes = NULL;
     Sections sections;
     FILE *file = open_memstream(&bytes, &sections.n_bytes);
     section_write(file, "doubles", answers, N_NUMBERS * sizeof *answers);
     fclose(file);
     sections.bytes = (unsigned char *)bytes;
-    char *said = told(function_judge(&doubles, &job, range, &sections).diagnosis);
+    char *said = told(function_judge(function, job, range, &sections).diagnosis);
     cr_expect(said != NULL && expected != NULL ? strcmp(said, expected) == 0 : said == expected,
               "found \"%s\", expected \"%s\"", said, expected);
     free(said);
     free(bytes);
+}
+
+static const Numbers numbers = {{0, 2, 3, -1}};
+
+static void expect_said(Range range, const int answers[N_NUMBERS], const char *expected)
+{
+    expect_said_by(&doubles, &numbers, range, answers, expected);
 }
 
 static const Range all = {0, N_NUMBERS, 1};
@@ -105,4 +112,26 @@ Test(known, of_answers_that_are_all_the_same_nothing_is_concluded)
 {
     expect_said((Range){2, 2, 1}, (const int[]){0, 0, 0, 0},
                 "3: found 0 (2 of 2 inputs are wrong)");
+}
+
+Test(known, where_a_range_says_too_little_all_answers_are_to_be_explained)
+{
+    Function by_all = doubles;
+    by_all.is_known_by_all = 1;
+    expect_said_by(&by_all, &numbers, (Range){2, 2, 1}, (const int[]){9, 9, 9, 1},
+                   "3: found 9 (2 of 2 inputs are wrong)");
+    expect_said_by(&by_all, &numbers, (Range){2, 2, 1}, (const int[]){0, 4, 7, 1},
+                   "3: found 7 (2 of 2 inputs are wrong); only odd ones are wrong");
+}
+
+Test(known, a_function_may_get_a_part_of_the_job)
+{
+    const struct {
+        int other;
+        Numbers numbers;
+    } job = {7, numbers};
+    Function of_part = doubles;
+    of_part.inputs = (size_t)((const char *)&job.numbers - (const char *)&job);
+    expect_said_by(&of_part, &job, all, (const int[]){0, 8, 12, -4},
+                   "2: found 8 (3 of 4 inputs are wrong); it is doubled twice");
 }

@@ -4,13 +4,11 @@
 #include "message.h"
 #include "oracle2d.h"
 #include "oracle2d_tree.h"
-#include "packed_list.h"
 #include "words.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-// ---- distribute ---------------------------------------------------------------------------------
+// ---- distribute: right --------------------------------------------------------------------------
 
 ListCall list_call_02(const Job02 *job, int i)
 {
@@ -25,65 +23,16 @@ static int keeps(const void *job, u32 scene, u32 id, BBox3D cell)
                                  oracle2d_box(cell));
 }
 
-static int is_equal_circle(Circle a, Circle b)
-{
-    return memcmp(&a, &b, sizeof a) == 0;
-}
+// The number that was returned, then the list.
+#define GIVEN                                                                                      \
+    const Job02 *all = job;                                                                        \
+    const ListCall in = list_call_02(all, i);                                                      \
+    const u32 *found = (const u32 *)answers + i * DISTRIBUTE_ROOM;                                 \
+    (void)all
 
-// Is a circle in the list, or one that is equal to it? Says which: its id, or -1.
-static int64_t listed_as(const Job02 *job, u32 id, const u32 *list, u32 n)
-{
-    const Circle *circles = job->scenes[DISTRIBUTE_SCENE].scene.circles;
-    for (u32 i = 0; i < n; i++) {
-        if (list[i] == id ||
-            (list[i] < DISTRIBUTE_MAX_IDS && is_equal_circle(circles[id], circles[list[i]]))) {
-            return list[i];
-        }
-    }
-    return -1;
-}
+RIGHT(is_right_list, list_is_right(in, keeps, job, found))
 
-// Lists in which all that is wrong is that circles are missing: those that are equal to others, or
-// those behind some place. NULL for other lists; owned by the caller.
-static char *explain_list(const Job02 *job, ListCall call, const u32 *found)
-{
-    const u32 n = found[0] < call.n_ids ? found[0] : call.n_ids;
-    int is_start = 1, are_equal = 1;
-    u32 n_kept = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        if (keeps(job, call.scene, call.ids[i], call.cell)) {
-            is_start = is_start && (n_kept >= n || found[1 + n_kept] == call.ids[i]);
-            are_equal = are_equal && listed_as(job, call.ids[i], found + 1, n) >= 0;
-            n_kept++;
-        }
-    }
-    return n >= n_kept ? NULL
-           : are_equal ? message_new("circles that are equal are all listed")
-           : is_start && n > 0
-               ? message_new("the list ends after %u ids, and there is room for more", n)
-               : NULL;
-}
-
-// Are all circles there, each once, in another order?
-static int is_reordered(const Job02 *job, ListCall call, const u32 *found)
-{
-    u32 n = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        u32 n_there = 0;
-        for (u32 j = 0; j < found[0] && j < call.n_ids; j++) {
-            n_there += found[1 + j] == call.ids[i];
-        }
-        if (n_there != (u32)keeps(job, call.scene, call.ids[i], call.cell)) {
-            return 0;
-        }
-        n += n_there;
-    }
-    return n > 1 && found[0] == n;
-}
-
-// ---- Rivals of distribute: what a known mistake returns, and writes into list[]
-
-typedef u32 Rival(const Job02 *job, ListCall call, u32 *list);
+// ---- distribute: mistakes -----------------------------------------------------------------------
 
 // Does circle `id` overlap the call's cell? Those behind the end of the scene do not.
 static int is_kept(const Job02 *job, ListCall call, u32 id)
@@ -91,161 +40,173 @@ static int is_kept(const Job02 *job, ListCall call, u32 id)
     return id < DISTRIBUTE_MAX_IDS && keeps(job, call.scene, id, call.cell);
 }
 
-static u32 from_the_back(const Job02 *job, ListCall call, u32 *list)
+static int holds_centre(const Job02 *job, ListCall call, u32 id)
 {
-    u32 n = 0;
-    for (u32 i = call.n_ids; i-- > 0;) {
-        if (is_kept(job, call, call.ids[i])) {
-            list[n++] = call.ids[i];
-        }
-    }
-    return n;
-}
-
-static u32 asks_positions(const Job02 *job, ListCall call, u32 *list)
-{
-    u32 n = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        if (is_kept(job, call, i)) {
-            list[n++] = call.ids[i];
-        }
-    }
-    return n;
-}
-
-static u32 counts_from_first(const Job02 *job, ListCall call, u32 *list)
-{
-    u32 n = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        if (is_kept(job, call, call.ids[0] + i)) {
-            list[n++] = call.ids[0] + i;
-        }
-    }
-    return n;
-}
-
-static u32 asks_all_between(const Job02 *job, ListCall call, u32 *list)
-{
-    u32 n = 0;
-    for (u32 id = call.ids[0]; call.n_ids > 0 && id <= call.ids[call.n_ids - 1]; id++) {
-        if (is_kept(job, call, id)) {
-            list[n++] = id;
-        }
-    }
-    return n;
-}
-
-static u32 leaves_gaps(const Job02 *job, ListCall call, u32 *list)
-{
-    u32 n = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        if (is_kept(job, call, call.ids[i])) {
-            list[i] = call.ids[i];
-            n++;
-        }
-    }
-    return n;
-}
-
-static u32 asks_centres(const Job02 *job, ListCall call, u32 *list)
-{
+    const Circle c = job->scenes[call.scene].scene.circles[id];
     const BBox2D box = oracle2d_box(call.cell);
-    u32 n = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        const Circle c = job->scenes[call.scene].scene.circles[call.ids[i]];
-        if (c.x >= box.minX && c.x < box.maxX && c.y >= box.minY && c.y < box.maxY) {
-            list[n++] = call.ids[i];
-        }
-    }
-    return n;
+    return c.x >= box.minX && c.x < box.maxX && c.y >= box.minY && c.y < box.maxY;
 }
 
-static u32 counts_in_a_byte(const Job02 *job, ListCall call, u32 *list)
-{
-    u32 n = 0;
-    for (u32 i = 0; i < call.n_ids; i++) {
-        if (is_kept(job, call, call.ids[i])) {
-            list[n++ & 0xff] = call.ids[i];
-        }
-    }
-    return n & 0xff;
-}
+// What a mistake returns, and writes into list[].
+typedef u32 MistakenList(const Job02 *job, ListCall in, u32 *list);
 
-static const struct {
-    Rival *rival;
-    const char *says;
-} list_rivals[] = {
-    {from_the_back, "the ids stand there from the last to the first, and must ascend"},
-    {asks_positions,
-     "the circle at the position was asked, and the id at that position is another"},
-    {counts_from_first, "ids were counted on from the first: in ids[] are gaps"},
-    {asks_all_between, "circles were asked whose ids are not in ids[]"},
-    {leaves_gaps,
-     "ids stand at the position that they have in ids[]: the child's list has no gaps"},
-    {asks_centres, "centres were asked for, and a circle may overlap a cell without its centre"},
-    {counts_in_a_byte, "the number of ids is kept in 8 bits"},
-};
-
-// Does a rival give all answers, written or not?
-static int is_list_rival(const Job02 *job, const u32 *answers, Rival *rival)
+static int is_list(const Job02 *job, ListCall call, const u32 *found, MistakenList *mistaken)
 {
     u32 list[DISTRIBUTE_ROOM];
-    int i = 0, is_same = 1;
-    for (; is_same && i < N_DISTRIBUTES; i++) {
-        const u32 *found = answers + i * DISTRIBUTE_ROOM;
-        for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
-            list[j] = UNTOUCHED;
+    for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
+        list[j] = UNTOUCHED;
+    }
+    return found[0] == mistaken(job, call, list) &&
+           memcmp(found + 1, list, DISTRIBUTE_MAX_IDS * sizeof *list) == 0;
+}
+
+// For j from 0 on: is something written into list[place], what, and how is n counted up?
+#define LIST(name, n_asked, is_listed, place, written, counted, ...)                               \
+    static u32 name##_list(const Job02 *all, ListCall in, u32 *list)                               \
+    {                                                                                              \
+        u32 n = 0;                                                                                 \
+        for (u32 j = 0; j < (n_asked); j++) {                                                      \
+            if (is_listed) {                                                                       \
+                list[place] = written;                                                             \
+                n = counted;                                                                       \
+            }                                                                                      \
+        }                                                                                          \
+        return n;                                                                                  \
+    }                                                                                              \
+    EACH(name, is_list(all, in, found, name##_list), __VA_ARGS__)
+#define KEPT(id) is_kept(all, in, id)
+#define ID in.ids[j]
+#define FROM_BACK in.ids[in.n_ids - 1 - j]
+#define FROM_FIRST (in.ids[0] + j)
+#define UP_TO_LAST (in.n_ids > 0 ? in.ids[in.n_ids - 1] - in.ids[0] + 1 : 0)
+
+LIST(from_the_back, in.n_ids, KEPT(FROM_BACK), n, FROM_BACK, n + 1,
+     "the ids stand there from the last to the first, and must ascend")
+LIST(asks_position, in.n_ids, KEPT(j), n, ID, n + 1,
+     "the circle at the position was asked, and the id at that position is another",
+     MISTAKE_MISSING_IN_CELL)
+LIST(lists_position, in.n_ids, KEPT(ID), n, j, n + 1, "that is its position in ids[]")
+LIST(counted_on, in.n_ids, KEPT(FROM_FIRST), n, FROM_FIRST, n + 1,
+     "ids were counted on from the first: in ids[] are gaps", MISTAKE_MISSING_IN_CELL)
+LIST(all_between, UP_TO_LAST, KEPT(FROM_FIRST), n, FROM_FIRST, n + 1,
+     "circles were asked whose ids are not in ids[]")
+LIST(with_gaps, in.n_ids, KEPT(ID), j, ID, n + 1,
+     "ids stand at the position that they have in ids[]: the child's list has no gaps")
+LIST(by_centre, in.n_ids, holds_centre(all, in, ID), n, ID, n + 1,
+     "centres were asked for, and a circle may overlap a cell without its centre",
+     MISTAKE_MISSING_IN_CELL)
+LIST(count_of_8_bits, in.n_ids, KEPT(ID), n, ID, (n + 1) & 0xff,
+     "the number of ids is kept in 8 bits", MISTAKE_MISSING_IN_CELL)
+
+static int is_equal_circle(Circle a, Circle b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+// Is an id among the first n of a list, or, where equal ones count, a circle that is equal to it?
+static int is_listed(const Job02 *job, const u32 *list, u32 n, u32 id, int equal_ones)
+{
+    const Circle *circles = job->scenes[DISTRIBUTE_SCENE].scene.circles;
+    u32 j = 0;
+    while (j < n && list[j] != id &&
+           !(equal_ones && list[j] < DISTRIBUTE_MAX_IDS &&
+             is_equal_circle(circles[id], circles[list[j]]))) {
+        j++;
+    }
+    return j < n;
+}
+
+// What became of the ids that belong into a list.
+typedef struct Kept {
+    u32 n, n_listed, n_equal;  // how many there are, and are listed, themselves or equal ones
+    u32 n_in_place;            // how many of the first ones are in their places
+    u32 from;                  // which of ids[] is the first that is not
+} Kept;
+
+static Kept kept_of(const Job02 *job, ListCall call, const u32 *found)
+{
+    const u32 *list = found + 1, n_found = found[0] < call.n_ids ? found[0] : call.n_ids;
+    Kept kept = {0};
+    for (u32 j = 0; j < call.n_ids; j++) {
+        const u32 id = call.ids[j];
+        if (is_kept(job, call, id)) {
+            kept.from = kept.n_in_place < kept.n ? kept.from : j;
+            kept.n_in_place += kept.n_in_place == kept.n && list[kept.n] == id;
+            kept.n_listed += is_listed(job, list, n_found, id, 0);
+            kept.n_equal += is_listed(job, list, n_found, id, 1);
+            kept.n++;
         }
-        const u32 n = rival(job, list_call_02(job, i), list);
-        is_same = found[0] == n && memcmp(found + 1, list, DISTRIBUTE_MAX_IDS * sizeof *list) == 0;
     }
-    return is_same;
+    return kept;
 }
 
-// The mistake that gives all answers, or NULL.
-static const char *explain_lists(const Job02 *job, const u32 *answers)
+#define N_FOUND found[0]
+#define KEPT_OF kept_of(all, in, found)
+#define IS_LOST(kept)                                                                              \
+    ((kept).n_in_place < (kept).n && !is_listed(all, found + 1, in.n_ids, in.ids[(kept).from], 0))
+
+static int is_reordered(Kept kept, u32 n_found)
 {
-    for (int m = 0; m < COUNT(list_rivals); m++) {
-        if (is_list_rival(job, answers, list_rivals[m].rival)) {
-            return list_rivals[m].says;
-        }
-    }
-    return NULL;
+    return kept.n > 1 && n_found == kept.n && kept.n_listed == kept.n;
 }
 
-// What one list looks like. Owned by the caller; NULL where nothing is known.
-static char *explain_order(const Job02 *job, ListCall call, const u32 *found)
+ONLY(empty_asked, in.n_ids == 0 && N_FOUND > 0,
+     "nothing is asked of an empty list, not even ids[0]")
+ONLY(end_marked, found[1 + in.n_ids] != UNTOUCHED,
+     "nothing comes behind the last id, not even an end mark")
+ONLY(reordered, is_reordered(KEPT_OF, N_FOUND),
+     "these are the right circles in another order: ids ascend, as in ids[]")
+ONLY(equal_missing, KEPT_OF.n_listed < KEPT_OF.n && KEPT_OF.n_equal == KEPT_OF.n,
+     "circles that are equal are all listed", MISTAKE_MISSING_IN_CELL)
+ONLY(ends_early, N_FOUND > 0 && N_FOUND < KEPT_OF.n && KEPT_OF.n_in_place == N_FOUND,
+     "there is room for more ids", MISTAKE_MISSING_IN_CELL)
+ONLY(lost, IS_LOST(KEPT_OF), NULL, MISTAKE_MISSING_IN_CELL)
+
+static const Known *const known_lists[] = {
+    &from_the_back, &asks_position, &lists_position,  &counted_on,  &all_between,
+    &with_gaps,     &by_centre,     &count_of_8_bits, &empty_asked, &end_marked,
+    &reordered,     &equal_missing, &ends_early,      &lost,
+};
+
+static char *describe_list(const void *job, int i, const void *answers)
 {
-    return is_reordered(job, call, found)
-               ? message_new(
-                     "these are the right circles in another order: ids ascend, as in ids[]")
-               : explain_list(job, call, found);
+    GIVEN;
+    const Kept kept = KEPT_OF;
+    const u32 at = kept.n_in_place;
+    const Words node =
+        words("node with %u circle%s from id %u on", in.n_ids, plural(in.n_ids), in.ids[0]);
+    if (at < kept.n) {
+        return message_new(
+            "%s: child_ids[%u] %s, expected %u%s%s", node.text, at,
+            found[1 + at] == UNTOUCHED ? "was not written" : words("is %u", found[1 + at]).text,
+            in.ids[kept.from],
+            IS_LOST(kept) ? ", that circle overlaps the cell and is missing in its list" : "",
+            at > 0 && at == N_FOUND ? words(", the list ends after %u ids", at).text : "");
+    }
+    return N_FOUND != at ? message_new("%s: returned %u, expected %u: the number of ids written",
+                                       node.text, N_FOUND, at)
+                         : message_new("child_ids[%u] was written, but there is room for %u",
+                                       in.n_ids, in.n_ids);
 }
 
-static Diagnosis distribute_fault(const void *pointer, int i, const void *answers)
-{
-    const Job02 *job = pointer;
-    const ListCall call = list_call_02(job, i);
-    const u32 *found = (const u32 *)answers + i * DISTRIBUTE_ROOM;
-    Diagnosis wrong = list_fault("circle", call, keeps, job, found);
-    if (wrong.found == NULL) {
-        return wrong;
-    }
-    // What explains every list counts before what one wrong id looks like, maybe by chance.
-    const char *of_all = explain_lists(job, answers);
-    if (of_all != NULL) {
-        free(wrong.cause);
-        wrong.cause = message_new("%s", of_all);
-    } else if (wrong.cause == NULL) {
-        wrong.cause = explain_order(job, call, found);
-    }
-    return wrong;
-}
-
-const Function distribute_02 = {"distribute", N_DISTRIBUTES, DISTRIBUTE_ROOM * sizeof(u32),
-                                .fault = distribute_fault};
+const Function distribute_02 = {"distribute",
+                                N_DISTRIBUTES,
+                                DISTRIBUTE_ROOM * sizeof(u32),
+                                KNOWING(is_right_list, describe_list, known_lists),
+                                .counted = "lists",
+                                .knows_constant = 1};
+#undef GIVEN
 
 // ---- pack_leaf ----------------------------------------------------------------------------------
+
+#define GIVEN                                                                                      \
+    const PackJob *in = &((const Job02 *)job)->packs[i];                                           \
+    const PackAnswer *found = (const PackAnswer *)answers + i;                                     \
+    const u32 *list = found->map + in->n_before + 1;                                               \
+    const u32 offset = found->relations[in->id].circleMapOffset, count = found->map[in->n_before]; \
+    (void)list, (void)offset, (void)count
+
+#include "packed_known.h"
 
 // "leaf with 5 circles, map of 1 entry"
 static Words pack_words(const PackJob *in)
@@ -254,96 +215,70 @@ static Words pack_words(const PackJob *in)
                  in->n_before == 1 ? "entry" : "entries");
 }
 
-static Diagnosis pack_offset_fault(const void *job, int i, const void *answers)
+RIGHT(is_right_offset, offset == in->n_before)
+
+EACH(at_first_id, offset == in->n_before + 1, "it points behind the count, at the first id")
+EACH(at_end, offset == in->n_before + 1 + in->n_ids,
+     "that is the end of the list: n_map had moved before")
+
+static const Known *const known_offsets[] = {&at_first_id, &at_end};
+
+static char *describe_offset(const void *job, int i, const void *answers)
 {
-    const PackJob *in = &((const Job02 *)job)->packs[i];
-    const PackAnswer *out = (const PackAnswer *)answers + i;
-    const u32 offset = out->relations[in->id].circleMapOffset;
-    const char *says = offset == in->n_before + 1 ? "it points behind the count, at the first id"
-                       : offset == in->n_before + 1 + in->n_ids
-                           ? "that is the end of the list: n_map had moved before"
-                           : NULL;
-    return offset == in->n_before
-               ? NOTHING_WRONG
-               : diagnosis_of(message_new("%s: circleMapOffset is %u, expected %u, the place of "
-                                          "the count",
-                                          pack_words(in).text, offset, in->n_before),
-                              (Cause){.says = says});
+    GIVEN;
+    return message_new("%s: circleMapOffset is %u, expected %u, the place of the count",
+                       pack_words(in).text, offset, in->n_before);
 }
 
-static Cause count_cause(u32 count, u32 n_ids)
+RIGHT(is_right_count, count == in->n_ids)
+
+EACH(counts_itself, count == in->n_ids + 1, "the count counts the ids, and not itself")
+EACH(cut_count, count == (in->n_ids & 0xff), "that is what 8 bits hold of it")
+ONLY(no_list, count == UNTOUCHED && in->n_ids == 0, "an empty leaf has a list, too: a count of 0")
+
+static const Known *const known_counts[] = {&counts_itself, &cut_count, &no_list};
+
+static char *describe_count(const void *job, int i, const void *answers)
 {
-    const Cause itself = {.says = "the count counts the ids, and not itself"};
-    return count == n_ids + 1 ? itself : number_cause(count, n_ids);
+    GIVEN;
+    return count == UNTOUCHED
+               ? message_new("%s: mapNode2Circles[%u] was not written, expected the count",
+                             pack_words(in).text, in->n_before)
+               : message_new("%s: the count at %u is %u, expected %u", pack_words(in).text,
+                             in->n_before, count, in->n_ids);
 }
 
-static Diagnosis pack_count_fault(const void *job, int i, const void *answers)
+// The leaf's ids, and what else is in the map. NULL where it is right, as below.
+static char *describe_map(const PackJob *in, const PackAnswer *found)
 {
-    const PackJob *in = &((const Job02 *)job)->packs[i];
-    const PackAnswer *out = (const PackAnswer *)answers + i;
-    const u32 count = out->map[in->n_before];
-    if (count == UNTOUCHED) {
-        return diagnosis_of(
-            message_new("%s: mapNode2Circles[%u] was not written, expected the count",
-                        pack_words(in).text, in->n_before),
-            (Cause){.says = in->n_ids == 0 ? "an empty leaf has a list, too: a count of 0" : NULL});
-    }
-    return count == in->n_ids
-               ? NOTHING_WRONG
-               : diagnosis_of(message_new("%s: the count at %u is %u, expected %u",
-                                          pack_words(in).text, in->n_before, count, in->n_ids),
-                              count_cause(count, in->n_ids));
-}
-
-// The leaf's ids, and what else is in the map.
-static Diagnosis map_fault(const PackJob *in, const PackAnswer *out)
-{
-    const u32 *list = out->map + in->n_before + 1;
+    const u32 *list = found->map + in->n_before + 1;
     const u32 end = in->n_before + 1 + in->n_ids;
     for (u32 j = 0; j < in->n_ids; j++) {
-        if (list[j] == UNTOUCHED) {
-            return diagnosis_new("%s: id number %u was not written, expected %u",
-                                 pack_words(in).text, j, in->ids[j]);
-        }
         if (list[j] != in->ids[j]) {
-            return diagnosis_of(message_new("%s: id number %u is %u, expected %u",
-                                            pack_words(in).text, j, list[j], in->ids[j]),
-                                list_cause(list, in->ids, in->n_ids));
+            return message_new("%s: id number %u %s, expected %u", pack_words(in).text, j,
+                               list[j] == UNTOUCHED ? "was not written"
+                                                    : words("is %u", list[j]).text,
+                               in->ids[j]);
         }
     }
-    if (out->n_map != end) {
-        const char *says = out->n_map == in->n_before + in->n_ids ? "the count is an entry, too"
-                           : out->n_map == in->n_before
-                               ? "n_map has to move in the tree that was handed over, and not in a "
-                                 "copy"
-                               : NULL;
-        return diagnosis_of(message_new("%s: n_map is %u afterwards, expected %u",
-                                        pack_words(in).text, out->n_map, end),
-                            (Cause){.says = says});
+    if (found->n_map != end) {
+        return message_new("%s: n_map is %u afterwards, expected %u", pack_words(in).text,
+                           found->n_map, end);
     }
     for (u32 j = 0; j < PACK_MAP_ROOM; j++) {
-        const int is_list = j >= in->n_before && j < end;
-        if (!is_list && out->map[j] != UNTOUCHED) {
-            return diagnosis_of(
-                message_new("%s: mapNode2Circles[%u] was written, but the list goes from %u to %u",
-                            pack_words(in).text, j, in->n_before, end - 1),
-                (Cause){.says = j == end ? "that is one entry more than count and ids: there may "
-                                           "be no room for it"
-                                         : NULL});
+        if ((j < in->n_before || j >= end) && found->map[j] != UNTOUCHED) {
+            return message_new("%s: mapNode2Circles[%u] was written, but the list goes from %u to "
+                               "%u",
+                               pack_words(in).text, j, in->n_before, end - 1);
         }
     }
-    return NOTHING_WRONG;
-}
-
-static int is_same_box(BBox2D a, BBox2D b)
-{
-    return memcmp(&a, &b, sizeof a) == 0;
+    return NULL;
 }
 
 // Is a node as it was, but for the leaf's flag and circleMapOffset?
-static Diagnosis node_fault(const PackJob *in, const PackAnswer *out, u32 id)
+static char *describe_node(const PackJob *in, const PackAnswer *found, u32 id)
 {
-    const NodeRel node = out->relations[id];
+    const NodeRel node = found->relations[id];
     const int is_leaf = id == in->id;
     const struct {
         const char *array, *field;
@@ -353,44 +288,72 @@ static Diagnosis node_fault(const PackJob *in, const PackAnswer *out, u32 id)
         {"nodes_Relations", ".lChild", node.lChild, 0},
         {"nodes_Relations", ".rChild", node.rChild, 0},
         {"nodes_Relations", ".circleMapOffset", is_leaf ? 0 : node.circleMapOffset, 0},
-        {"nodes_flag", "", is_leaf ? INNER : out->flags[id], INNER},
+        {"nodes_flag", "", is_leaf ? INNER : found->flags[id], INNER},
     };
     for (int f = 0; f < COUNT(fields); f++) {
         if (fields[f].found != fields[f].expected) {
-            return diagnosis_of(
-                message_new("packing leaf %u changed %s[%u]%s to %u, expected it to stay %u",
-                            in->id, fields[f].array, id, fields[f].field, fields[f].found,
-                            fields[f].expected),
-                (Cause){.says = is_leaf ? "of the leaf's NodeRel only circleMapOffset changes"
-                                        : "that is another node, and stays as it is"});
+            return message_new("packing leaf %u changed %s[%u]%s to %u, expected it to stay %u",
+                               in->id, fields[f].array, id, fields[f].field, fields[f].found,
+                               fields[f].expected);
         }
     }
-    return is_same_box(out->boxes[id], PACK_CELL(id))
-               ? NOTHING_WRONG
-               : diagnosis_new("packing leaf %u changed nodes_BBox[%u] to %s, expected it to stay "
-                               "%s",
-                               in->id, id, words_box2d(out->boxes[id]).text,
-                               words_box2d(PACK_CELL(id)).text);
+    return memcmp(&found->boxes[id], &PACK_CELL(id), sizeof(BBox2D)) == 0
+               ? NULL
+               : message_new("packing leaf %u changed nodes_BBox[%u] to %s, expected it to stay %s",
+                             in->id, id, words_box2d(found->boxes[id]).text,
+                             words_box2d(PACK_CELL(id)).text);
 }
 
-static Diagnosis pack_rest_fault(const void *job, int i, const void *answers)
+static int is_other_changed(const PackJob *in, const PackAnswer *found)
 {
-    const PackJob *in = &((const Job02 *)job)->packs[i];
-    const PackAnswer *out = (const PackAnswer *)answers + i;
-    if (out->flags[in->id] != LEAF) {
-        return diagnosis_new("nodes_flag[%u] is %u, expected LEAF", in->id, out->flags[in->id]);
+    int is_changed = 0;
+    for (u32 id = 0; id < PACK_NODES; id++) {
+        is_changed |= id != in->id && !facts_are_none(describe_node(in, found, id));
     }
-    Diagnosis wrong = map_fault(in, out);
-    for (u32 id = 0; wrong.found == NULL && id < PACK_NODES; id++) {
-        wrong = node_fault(in, out, id);
-    }
-    if (wrong.found == NULL && out->n_nodes != PACK_NODES) {
-        wrong = diagnosis_new("packing leaf %u changed n_nodes to %u, expected it to stay %d",
-                              in->id, out->n_nodes, PACK_NODES);
-    }
-    return wrong;
+    return is_changed;
 }
 
-const Function pack_count_02 = {"pack", N_PACKS, sizeof(PackAnswer), .fault = pack_count_fault};
-const Function pack_offset_02 = {"pack", N_PACKS, sizeof(PackAnswer), .fault = pack_offset_fault};
-const Function pack_rest_02 = {"pack", N_PACKS, sizeof(PackAnswer), .fault = pack_rest_fault};
+static char *describe_rest(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    if (found->flags[in->id] != LEAF) {
+        return message_new("nodes_flag[%u] is %u, expected LEAF", in->id, found->flags[in->id]);
+    }
+    char *wrong = describe_map(in, found);
+    for (u32 id = 0; wrong == NULL && id < PACK_NODES; id++) {
+        wrong = describe_node(in, found, id);
+    }
+    return wrong != NULL                  ? wrong
+           : found->n_nodes != PACK_NODES ? message_new("packing leaf %u changed n_nodes to %u, "
+                                                        "expected it to stay %d",
+                                                        in->id, found->n_nodes, PACK_NODES)
+                                          : NULL;
+}
+
+RIGHT(is_right_rest, facts_are_none(describe_rest(job, i, answers)))
+
+#define END (in->n_before + 1 + in->n_ids)
+
+#define OWN found->relations[in->id]
+
+ONLY(count_left_out, found->n_map == END - 1, "the count is an entry, too")
+ONLY(map_of_copy, found->n_map == in->n_before,
+     "n_map has to move in the tree that was handed over, and not in a copy")
+ONLY(one_entry_more, found->n_map == END && found->map[END] != UNTOUCHED,
+     "that is one entry more than count and ids: there may be no room for it")
+ONLY(leaf_changed, OWN.id != in->id || OWN.lChild != 0 || OWN.rChild != 0,
+     "of the leaf's NodeRel only circleMapOffset changes")
+ONLY(other_changed, is_other_changed(in, found), "that is another node, and stays as it is")
+
+static const Known *const known_rest[] = {PACKED_KNOWN,    &count_left_out, &map_of_copy,
+                                          &one_entry_more, &leaf_changed,   &other_changed};
+
+const Function pack_count_02 = {"pack", N_PACKS, sizeof(PackAnswer),
+                                KNOWING(is_right_count, describe_count, known_counts),
+                                .counted = "leaves"};
+const Function pack_offset_02 = {"pack", N_PACKS, sizeof(PackAnswer),
+                                 KNOWING(is_right_offset, describe_offset, known_offsets),
+                                 .counted = "leaves"};
+const Function pack_rest_02 = {"pack", N_PACKS, sizeof(PackAnswer),
+                               KNOWING(is_right_rest, describe_rest, known_rest),
+                               .counted = "leaves"};

@@ -4,215 +4,87 @@
 
 #include "job_work.h"
 #include "message.h"
-#include "packed_list.h"
 #include "words.h"
 
 #include <math.h>
 
 // ---- getContainingChild -------------------------------------------------------------------------
 
-// A way to choose: is it the left child? Of the node's cell and the left child's.
-typedef int GoesLeft(BBox2D node, BBox2D left, double x, double y);
+#define GIVEN                                                                                      \
+    const KdTree2D *tree = &((const Job03 *)job)->child_tree;                                      \
+    const ChildJob in = ((const Job03 *)job)->children[i];                                         \
+    const NodeRel node = tree->nodes_Relations[in.id];                                             \
+    const BBox2D cell = tree->nodes_BBox[in.id], left = tree->nodes_BBox[node.lChild];             \
+    const u32 found = ((const u32 *)answers)[i];                                                   \
+    (void)cell, (void)left
+// Of a pixel that the node's cell does not hold either child is right.
+#define IS_FOUND(is_left)                                                                          \
+    ((found == node.lChild || found == node.rChild) &&                                             \
+     (!cell_holds(cell, in.x, in.y) || (found == node.lChild) == (is_left)))
+#define HELD(x, y) cell_holds(left, x, y)
 
-static int by_inner(BBox2D node, BBox2D left, double x, double y)
+RIGHT(is_right_child, IS_FOUND(HELD(in.x, in.y)))
+
+// With other numbers for the left child's borders.
+static BBox2D rounded(BBox2D box, float (*to)(float))
 {
-    (void)node;
-    return x > left.minX && x < left.maxX && y > left.minY && y < left.maxY;
+    return (BBox2D){to(box.minX), to(box.maxX), to(box.minY), to(box.maxY)};
 }
 
-static int by_inner_x(BBox2D node, BBox2D left, double x, double y)
+static float nearest(float value)
 {
-    (void)node;
-    return x != left.minX && cell_holds(left, x, y);
-}
-
-static int by_inner_y(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return y != left.minY && cell_holds(left, x, y);
-}
-
-static int by_border(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return x >= left.minX && x <= left.maxX && y >= left.minY && y <= left.maxY;
-}
-
-static int by_middle(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return cell_holds(left, x + 0.5, y + 0.5);
-}
-
-static int by_corner(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return cell_holds(left, x - 0.5, y - 0.5);
-}
-
-// As whole numbers, like a conversion to int.
-static int by_whole(BBox2D node, BBox2D left, double x, double y)
-{
-    const BBox2D whole = {truncf(left.minX), truncf(left.maxX), truncf(left.minY),
-                          truncf(left.maxY)};
-    (void)node;
-    return cell_holds(whole, x, y);
-}
-
-static int by_nearest(BBox2D node, BBox2D left, double x, double y)
-{
-    const BBox2D whole = {floorf(left.minX + 0.5f), floorf(left.maxX + 0.5f),
-                          floorf(left.minY + 0.5f), floorf(left.maxY + 0.5f)};
-    (void)node;
-    return cell_holds(whole, x, y);
-}
-
-// As numbers without a sign, which have no room for negative ones.
-static int by_unsigned(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return left.minX >= 0 && left.minY >= 0 && cell_holds(left, x, y);
-}
-
-static int by_x(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node, (void)y;
-    return x >= left.minX && x < left.maxX;
-}
-
-static int by_y(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node, (void)x;
-    return y >= left.minY && y < left.maxY;
-}
-
-static int by_copied_x(BBox2D node, BBox2D left, double x, double y)
-{
-    return by_x(node, left, x, y) && y >= left.minY && y < left.maxX;
-}
-
-static int by_copied_y(BBox2D node, BBox2D left, double x, double y)
-{
-    return x >= left.minX && x < left.maxY && by_y(node, left, x, y);
-}
-
-static int by_swapped(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return cell_holds(left, y, x);
-}
-
-static int always(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node, (void)left, (void)x, (void)y;
-    return 1;
-}
-
-// The left child where the cell does not hold the pixel.
-static int by_the_contrary(BBox2D node, BBox2D left, double x, double y)
-{
-    (void)node;
-    return !cell_holds(left, x, y);
+    return floorf(value + 0.5f);
 }
 
 #define STRICT                                                                                     \
-    {"strict where it should not be: cells are half-open, minX <= x < maxX",                       \
-     MISTAKE_STRICT_BOUNDARY}
-#define SHIFTED "shifted by half a pixel: the sample point is the integer coordinate"
+    "strict where it should not be: cells are half-open, minX <= x < maxX", MISTAKE_STRICT_BOUNDARY
+#define SHIFTED                                                                                    \
+    "shifted by half a pixel: the sample point is the integer coordinate", MISTAKE_SHIFTED_HALF
 #define WHOLE_BORDER "a cell's border was made a whole number: it may lie between two pixels"
 #define OTHER_AXIS "your answers are those of a comparison with a border of the other axis"
 #define ONE_AXIS "your answers are those of one axis alone: there are splits across x and across y"
+#define IN_X (in.x >= left.minX && in.x < left.maxX)
+#define IN_Y (in.y >= left.minY && in.y < left.maxY)
 
-static const struct {
-    GoesLeft *goes_left;
-    Cause cause;
-} child_mistakes[] = {
-    {by_inner, STRICT},
-    {by_inner_x, STRICT},
-    {by_inner_y, STRICT},
-    {by_border, {.says = "cells are half-open: a border belongs to the cell that starts there"}},
-    {by_middle, {SHIFTED, MISTAKE_SHIFTED_HALF}},
-    {by_corner, {SHIFTED, MISTAKE_SHIFTED_HALF}},
-    {by_whole, {.says = WHOLE_BORDER}},
-    {by_nearest, {.says = WHOLE_BORDER}},
-    {by_unsigned,
-     {.says = "your answers are those of numbers without a sign: a cell may begin at negative "
-              "coordinates"}},
-    {by_x, {.says = ONE_AXIS}},
-    {by_y, {.says = ONE_AXIS}},
-    {by_copied_x, {.says = OTHER_AXIS}},
-    {by_copied_y, {.says = OTHER_AXIS}},
-    {by_swapped, {.says = OTHER_AXIS}},
-    {by_the_contrary, {.says = "left and right are swapped"}},
-    {always,
-     {.says = "the left child was chosen every time: its own cell has to hold the pixel, in both "
-              "directions"}},
-};
+ANSWERS(inner, HELD(in.x, in.y) && in.x != left.minX && in.y != left.minY, STRICT)
+ANSWERS(inner_x, HELD(in.x, in.y) && in.x != left.minX, STRICT)
+ANSWERS(inner_y, HELD(in.x, in.y) && in.y != left.minY, STRICT)
+ANSWERS(border, in.x >= left.minX && in.x <= left.maxX && in.y >= left.minY && in.y <= left.maxY,
+        "cells are half-open: a border belongs to the cell that starts there")
+ANSWERS(middle, HELD(in.x + 0.5, in.y + 0.5), SHIFTED)
+ANSWERS(corner, HELD(in.x - 0.5, in.y - 0.5), SHIFTED)
+ANSWERS(cut_borders, cell_holds(rounded(left, truncf), in.x, in.y), WHOLE_BORDER)
+ANSWERS(rounded_borders, cell_holds(rounded(left, nearest), in.x, in.y), WHOLE_BORDER)
+ANSWERS(no_sign, left.minX >= 0 && left.minY >= 0 && HELD(in.x, in.y),
+        "your answers are those of numbers without a sign: a cell may begin at negative "
+        "coordinates")
+ANSWERS(x_alone, IN_X, ONE_AXIS)
+ANSWERS(y_alone, IN_Y, ONE_AXIS)
+ANSWERS(copied_x, IN_X &&in.y >= left.minY && in.y < left.maxX, OTHER_AXIS)
+ANSWERS(copied_y, in.x >= left.minX && in.x < left.maxY && IN_Y, OTHER_AXIS)
+ANSWERS(swapped_axes, HELD(in.y, in.x), OTHER_AXIS)
+ANSWERS(contrary, !HELD(in.x, in.y), "left and right are swapped")
+ANSWERS(always_left, 1,
+        "the left child was chosen every time: its own cell has to hold the pixel, in both "
+        "directions")
 
-// Do all answers, in both checks, follow from this way? Of pixels outside the node's cell either is
-// right, and they say nothing.
-static int children_follow(const Job03 *job, const u32 *found, GoesLeft *goes_left)
-{
-    const KdTree2D *tree = &job->child_tree;
-    for (int i = 0; i < N_CHILDREN; i++) {
-        const ChildJob in = job->children[i];
-        const NodeRel node = tree->nodes_Relations[in.id];
-        const BBox2D cell = tree->nodes_BBox[in.id];
-        const int is_left = goes_left(cell, tree->nodes_BBox[node.lChild], in.x, in.y);
-        if (cell_holds(cell, in.x, in.y) && found[i] != (is_left ? node.lChild : node.rChild)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-// Is the answer right? Of a pixel that the node's cell does not hold either child is.
-static int is_right_child(const Job03 *job, int i, u32 found)
-{
-    const KdTree2D *tree = &job->child_tree;
-    const ChildJob in = job->children[i];
-    const NodeRel node = tree->nodes_Relations[in.id];
-    const int is_left = cell_holds(tree->nodes_BBox[node.lChild], in.x, in.y);
-    const int is_outside = !cell_holds(tree->nodes_BBox[in.id], in.x, in.y);
-    return (found == node.lChild && (is_left || is_outside)) || (found == node.rChild && !is_left);
-}
-
-// What may be meant for an epsilon, in pixels.
+// How far the pixel is from a border of the left child, and what may be meant for an epsilon.
+#define TO_X fmin(fabs((double)in.x - left.maxX), fabs((double)in.x - left.minX))
+#define TO_Y fmin(fabs((double)in.y - left.maxY), fabs((double)in.y - left.minY))
 #define EPSILON 0.125
 
-// How far from a border of the left child does what is wrong stand, at most?
-static double farthest_wrong(const Job03 *job, const u32 *found)
-{
-    const KdTree2D *tree = &job->child_tree;
-    double farthest = 0;
-    for (int i = 0; i < N_CHILDREN; i++) {
-        const ChildJob in = job->children[i];
-        const NodeRel node = tree->nodes_Relations[in.id];
-        const BBox2D left = tree->nodes_BBox[node.lChild];
-        const double to_x = fmin(fabs((double)in.x - left.maxX), fabs((double)in.x - left.minX));
-        const double to_y = fmin(fabs((double)in.y - left.maxY), fabs((double)in.y - left.minY));
-        if (!is_right_child(job, i, found[i])) {
-            farthest = fmax(farthest, fmin(to_x, to_y));
-        }
-    }
-    return farthest;
-}
+ONLY(no_child, found != node.lChild && found != node.rChild,
+     "that is no child of the node, as its lChild and rChild have it")
+ONLY(on_border, TO_X == 0 || TO_Y == 0,
+     "pixels exactly on a border are wrong: it belongs to the child with the higher coordinates")
+ONLY(near_border, TO_X < EPSILON || TO_Y < EPSILON,
+     "your answers are those with an epsilon: none is needed")
 
-// What wrong children suggest.
-static Cause explain_children(const Job03 *job, const u32 *found)
-{
-    for (int i = 0; i < COUNT(child_mistakes); i++) {
-        if (children_follow(job, found, child_mistakes[i].goes_left)) {
-            return child_mistakes[i].cause;
-        }
-    }
-    const double farthest = farthest_wrong(job, found);
-    return (Cause){
-        .says = farthest == 0        ? "pixels exactly on a border are wrong: it belongs to the "
-                                       "child with the higher coordinates"
-                : farthest < EPSILON ? "your answers are those with an epsilon: none is needed"
-                                     : NULL};
-}
+static const Known *const known[] = {
+    &inner,           &inner_x,     &inner_y,  &border,    &middle,      &corner,   &cut_borders,
+    &rounded_borders, &no_sign,     &x_alone,  &y_alone,   &copied_x,    &copied_y, &swapped_axes,
+    &contrary,        &always_left, &no_child, &on_border, &near_border,
+};
 
 // A half-open cell.
 static Words cell_words(BBox2D box)
@@ -220,31 +92,19 @@ static Words cell_words(BBox2D box)
     return words("x [%.9g, %.9g) y [%.9g, %.9g)", box.minX, box.maxX, box.minY, box.maxY);
 }
 
-static Diagnosis child_fault(const void *pointer, int i, const void *answers)
+static char *describe(const void *job, int i, const void *answers)
 {
-    const Job03 *job = pointer;
-    const u32 *found = answers;
-    const KdTree2D *tree = &job->child_tree;
-    const ChildJob in = job->children[i];
-    const NodeRel node = tree->nodes_Relations[in.id];
-    const BBox2D left = tree->nodes_BBox[node.lChild], right = tree->nodes_BBox[node.rChild];
-    const u32 expected = cell_holds(left, in.x, in.y) ? node.lChild : node.rChild;
-    if (is_right_child(job, i, found[i])) {
-        return NOTHING_WRONG;
-    }
-    static const Cause no_child = {
-        .says = "that is no child of the node, as its lChild and rChild have it"};
-    const int is_child = found[i] == node.lChild || found[i] == node.rChild;
-    const Cause why = is_child ? explain_children(job, found) : no_child;
-    return diagnosis_of(message_new("node %u, pixel (%d, %d): found child %u, expected %u (left "
-                                    "child %u is %s, right child %u is %s)",
-                                    in.id, in.x, in.y, found[i], expected, node.lChild,
-                                    cell_words(left).text, node.rChild, cell_words(right).text),
-                        why);
+    GIVEN;
+    return message_new("node %u, pixel (%d, %d): found child %u, expected %u (left child %u is %s, "
+                       "right child %u is %s)",
+                       in.id, in.x, in.y, found, HELD(in.x, in.y) ? node.lChild : node.rChild,
+                       node.lChild, cell_words(left).text, node.rChild,
+                       cell_words(tree->nodes_BBox[node.rChild]).text);
 }
 
-static const Function children = {
-    .section = "children", .n = N_CHILDREN, .answer_bytes = sizeof(u32), .fault = child_fault};
+static const Function children = {"children",           N_CHILDREN,
+                                  sizeof(u32),          KNOWING(is_right_child, describe, known),
+                                  .is_known_by_all = 1, .knows_constant = 1};
 
 // ---- Work ---------------------------------------------------------------------------------------
 
@@ -284,17 +144,16 @@ static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found)
                      (Cause){.says = explain_steps(found.n_nodes_visited, steps)});
 }
 
-static Cause explain_tests(u32 found, u32 n)
+static const char *explain_tests(u32 found, u32 n)
 {
-    const char *says = found == 0 ? "either the function was not called, or not with &work: work "
-                                    "that is hidden cannot be counted"
-                       : n == 0   ? "an empty list has no circle to ask"
-                       : found == 2 * n ? "each was asked twice"
-                       : found > n      ? "some were asked more than once, or circles that are not "
-                                          "in the list"
-                                        : "circles of the list were not asked";
-    const Cause cut = number_cause(found, n);
-    return cut.says != NULL ? cut : (Cause){.says = says};
+    return found == (n & 0xff)     ? "that is what 8 bits hold of it"
+           : found == (n & 0xffff) ? "that is what 16 bits hold of it"
+           : found == 0            ? "either the function was not called, or not with &work: work "
+                                     "that is hidden cannot be counted"
+           : n == 0                ? "an empty list has no circle to ask"
+           : found == 2 * n        ? "each was asked twice"
+           : found > n ? "some were asked more than once, or circles that are not in the list"
+                       : "circles of the list were not asked";
 }
 
 static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
@@ -307,7 +166,7 @@ static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
                                           "time%s, but the leaf lists %u circle%s",
                                           scene->picture.title, x, y, found.n_tests,
                                           plural(found.n_tests), n, plural(n)),
-                              explain_tests(found.n_tests, n));
+                              (Cause){.says = explain_tests(found.n_tests, n)});
 }
 
 // Judge the counted work of scene K. In a large picture every seventh pixel each way is plenty: the

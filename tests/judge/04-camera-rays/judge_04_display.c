@@ -10,216 +10,169 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const OracleRules3D right = {0};
+#define GIVEN                                                                                      \
+    const PixelJob *in = &((const Job04 *)job)->pixels[i];                                         \
+    const Vec3 found = ((const PixelAnswer *)answers)[i].on_display
+#define IS_FOUND(point) is_near_04(found, point, error_of(in) * fmax(1, vector_length(point)))
 
-// ---- Known mistakes -----------------------------------------------------------------------------
-
-// A mistake that would explain wrong points.
-typedef struct DisplayMistake {
-    Cause cause;
-    OracleRules3D rules;
-    int mirrored, flipped, transposed;
-    int columns, rows;                          // how many pixels on
-    OracleVector (*point)(const PixelJob *in);  // in the place of all these
-} DisplayMistake;
-
-// A point on a display on which the middle is at (x, y) and a pixel of this size.
-static OracleVector point_from(const PixelJob *in, double x, double y, double size)
+static double error_of(const PixelJob *in)
 {
-    return (OracleVector){(in->x + 0.5 - x) * size, (y - in->y - 0.5) * size, 1};
+    const double half = in->camera.fov / 2 * fmax(1, (double)in->height / in->width);
+    return DISPLAY_ERROR_04 * fmax(half, 1);
 }
 
-static double pixel_size(const PixelJob *in)
+// ---- Right --------------------------------------------------------------------------------------
+
+static OracleVector expected(const PixelJob *in)
 {
-    return (double)in->camera.fov / in->width;
+    static const OracleRules3D right = {0};
+    return oracle3d_display(in->x, in->y, in->width, in->height, in->camera.fov, &right);
 }
 
-static OracleVector point_of_longer_side(const PixelJob *in)
-{
-    const int longer = in->width > in->height ? in->width : in->height;
-    return point_from(in, in->width / 2.0, in->height / 2.0, (double)in->camera.fov / longer);
-}
-
-static OracleVector point_of_whole_halves(const PixelJob *in)
-{
-    const int x = in->width / 2, y = in->height / 2;
-    return point_from(in, x, y, pixel_size(in));
-}
-
-static OracleVector point_of_whole_half_height(const PixelJob *in)
-{
-    const int y = in->height / 2;
-    return point_from(in, in->width / 2.0, y, pixel_size(in));
-}
-
-static OracleVector point_of_halves_rounded_up(const PixelJob *in)
-{
-    const int x = (in->width + 1) / 2, y = (in->height + 1) / 2;
-    return point_from(in, x, y, pixel_size(in));
-}
-
-static OracleVector point_of_whole_steps(const PixelJob *in)
-{
-    const int x = (2 * in->x + 1 - in->width) / 2, y = (in->height - 2 * in->y - 1) / 2;
-    return (OracleVector){x * pixel_size(in), y * pixel_size(in), 1};
-}
-
-static OracleVector point_from_border_to_border(const PixelJob *in)
-{
-    const double fov = in->camera.fov, height = fov * in->height / in->width;
-    return (OracleVector){((double)in->x / (in->width - 1) - 0.5) * fov,
-                          (0.5 - (double)in->y / (in->height - 1)) * height, 1};
-}
-
-// With y times this in the place of height / width.
-static OracleVector point_of_aspect(const PixelJob *in, double aspect)
-{
-    const double fov = in->camera.fov;
-    return (OracleVector){((in->x + 0.5) / in->width - 0.5) * fov,
-                          (0.5 - (in->y + 0.5) / in->height) * fov * aspect, 1};
-}
-
-static OracleVector point_of_inverse_aspect(const PixelJob *in)
-{
-    return point_of_aspect(in, (double)in->width / in->height);
-}
-
-static OracleVector point_of_whole_aspect(const PixelJob *in)
-{
-    const int aspect = in->height / in->width;
-    return point_of_aspect(in, aspect);
-}
-
-static OracleVector point_made_unit(const PixelJob *in)
-{
-    return vector_unit(point_from(in, in->width / 2.0, in->height / 2.0, pixel_size(in)));
-}
-
-static OracleVector point_of_width_1(const PixelJob *in)
-{
-    OracleVector p = point_from(in, in->width / 2.0, in->height / 2.0, 1.0 / in->width);
-    p.z = 1 / (double)in->camera.fov;
-    return p;
-}
-
-static const DisplayMistake display_mistakes[] = {
-    {.cause = {0}},  // none
-    {.cause = {"shifted by half a pixel: that is the pixel's corner, not its middle",
-               MISTAKE_SHIFTED_HALF},
-     .rules = {.sample_offset = -0.5}},
-    {.cause = {"shifted by half a pixel: that is the pixel's far corner, not its middle",
-               MISTAKE_SHIFTED_HALF},
-     .rules = {.sample_offset = 0.5}},
-    {.cause = {.says = "fov is the display's width, not half of it"},
-     .rules = {.fov_is_half_width = 1}},
-    {.cause = {.says = "fov is the display's width, not its height"},
-     .rules = {.fov_is_height = 1}},
-    {.cause = {.says = "pixels are squares: y needs the same size of a pixel as x"},
-     .rules = {.fov_both_ways = 1}},
-    {.cause = {"mirrored: x grows to the right", MISTAKE_MIRRORED_X}, .mirrored = 1},
-    {.cause = {"flipped: row 0 is the top row, where y is largest", MISTAKE_FLIPPED_Y},
-     .flipped = 1},
-    {.cause = {.says = "fov is a width at distance 1, not an angle"}, .rules = {.fov_is_angle = 1}},
-    {.cause = {"transposed: x counts columns and y rows", MISTAKE_TRANSPOSED}, .transposed = 1},
-    {.cause = {"shifted by one pixel to the right: columns count from 0", MISTAKE_SHIFTED_ONE},
-     .columns = 1},
-    // Nobody counts from -1: the half that leads to the middle was taken off.
-    {.cause = {"shifted by one pixel to the left: half a pixel has the wrong sign",
-               MISTAKE_SHIFTED_ONE},
-     .columns = -1},
-    {.cause = {"shifted by one pixel down: rows count from 0", MISTAKE_SHIFTED_ONE}, .rows = 1},
-    {.cause = {"shifted by one pixel up: half a pixel has the wrong sign", MISTAKE_SHIFTED_ONE},
-     .rows = -1},
-    {.cause = {"shifted by one pixel to the left and up: half a pixel has the wrong sign",
-               MISTAKE_SHIFTED_ONE},
-     .columns = -1,
-     .rows = -1},
-    {.cause = {"shifted by one pixel to the right and down: columns and rows count from 0",
-               MISTAKE_SHIFTED_ONE},
-     .columns = 1,
-     .rows = 1},
-    {.cause = {.says = "fov is the display's width, and not the longer side's"},
-     .point = point_of_longer_side},
-    {.cause = {.says = "half of an odd width or height has lost its half: the division is one of "
-                       "whole numbers"},
-     .point = point_of_whole_halves},
-    {.cause = {.says = "half of an odd height has lost its half: the division is one of whole "
-                       "numbers"},
-     .point = point_of_whole_half_height},
-    {.cause = {.says = "half of an odd width or height was rounded up: the middle of the display "
-                       "lies in the middle of a pixel there"},
-     .point = point_of_halves_rounded_up},
-    {.cause = {.says = "steps from the middle are whole numbers there, but odd halves in pictures "
-                       "of even size"},
-     .point = point_of_whole_steps},
-    {.cause = {.says = "the first and the last pixel stand on the borders: a picture has as many "
-                       "steps as pixels, and a pixel's middle is half a step from the border"},
-     .point = point_from_border_to_border},
-    {.cause = {.says = "y is scaled by width / height: it is height / width"},
-     .point = point_of_inverse_aspect},
-    {.cause = {.says = "height / width is a division of whole numbers there"},
-     .point = point_of_whole_aspect},
-    {.cause = {.says = "the point was made a unit vector: it stands on the display, at z = 1"},
-     .point = point_made_unit},
-    {.cause = {.says =
-                   "that display is 1 wide: it must stand at distance 1, and be as wide as fov"},
-     .point = point_of_width_1},
-};
-
-// ---- Judging ------------------------------------------------------------------------------------
-
-static int display_agrees(const void *pointer, int i, const void *answers, int number)
-{
-    const PixelJob *job = &((const Job04 *)pointer)->pixels[i];
-    const Vec3 found = ((const PixelAnswer *)answers)[i].on_display;
-    const DisplayMistake *mistake = &display_mistakes[number];
-    const double half = job->camera.fov / 2 * fmax(1, (double)job->height / job->width);
-    const double error = DISPLAY_ERROR_04 * fmax(half, 1);
-    if (mistake->point != NULL) {
-        const OracleVector p = mistake->point(job);
-        return is_near_04(found, p, error * fmax(1, vector_length(p)));
-    }
-    const int x = (mistake->transposed ? job->y : job->x) + mistake->columns;
-    const int y = (mistake->transposed ? job->x : job->y) + mistake->rows;
-    OracleVector p =
-        oracle3d_display(x, y, job->width, job->height, job->camera.fov, &mistake->rules);
-    p.x = mistake->mirrored ? -p.x : p.x;
-    p.y = mistake->flipped ? -p.y : p.y;
-    return is_near_04(found, p, error);
-}
+RIGHT(is_right, is_near_04(found, expected(in), error_of(in)))
 
 // The sides only: which half of the display the point is in. The middle itself says nothing.
-static int is_on_its_side(const PixelJob *job, Vec3 found)
+static int is_on_its_side(const PixelJob *in, Vec3 found)
 {
-    const int right_of_middle = 2 * job->x + 1 - job->width;
-    const int above_middle = job->height - 2 * job->y - 1;
+    const int right_of_middle = 2 * in->x + 1 - in->width;
+    const int above_middle = in->height - 2 * in->y - 1;
     // A corner may be on the other side of a middle pixel.
     return (abs(right_of_middle) <= 1 || (found.x > 0) == (right_of_middle > 0)) &&
            (abs(above_middle) <= 1 || (found.y > 0) == (above_middle > 0)) && found.z == 1 &&
            isfinite(found.x) && isfinite(found.y);
 }
 
-static int side_agrees(const void *job, int i, const void *answers, int mistake)
+RIGHT(is_right_side, is_on_its_side(in, found))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// The point at a column and a row, with pixels of this size; right is (X, Y, SIZE).
+static OracleVector point(const PixelJob *in, double column, double row, double size)
 {
-    return mistake == 0 ? is_on_its_side(&((const Job04 *)job)->pixels[i],
-                                         ((const PixelAnswer *)answers)[i].on_display)
-                        : display_agrees(job, i, answers, mistake);
+    return (OracleVector){(column - in->width / 2.0) * size, (in->height / 2.0 - row) * size, 1};
 }
 
-static char *describe_point(const void *pointer, int i, const void *answers)
+#define X (in->x + 0.5)
+#define Y (in->y + 0.5)
+#define FOV ((double)in->camera.fov)
+#define SIZE (FOV / in->width)
+#define POINT(column, row) point(in, column, row, SIZE)
+#define SIZED(size) point(in, X, Y, size)
+
+ANSWERS(corner, POINT(X - 0.5, Y - 0.5),
+        "shifted by half a pixel: that is the pixel's corner, not its middle", MISTAKE_SHIFTED_HALF)
+ANSWERS(far_corner, POINT(X + 0.5, Y + 0.5),
+        "shifted by half a pixel: that is the pixel's far corner, not its middle",
+        MISTAKE_SHIFTED_HALF)
+ANSWERS(half_width, SIZED(2 * SIZE), "fov is the display's width, not half of it")
+ANSWERS(fov_height, SIZED(FOV / in->height), "fov is the display's width, not its height")
+ANSWERS(angle, SIZED(2 * tan(FOV / 2) / in->width), "fov is a width at distance 1, not an angle")
+ANSWERS(longer_side, SIZED(FOV / fmax(in->width, in->height)),
+        "fov is the display's width, and not the longer side's")
+ANSWERS(mirrored, POINT(in->width - X, Y), "mirrored: x grows to the right", MISTAKE_MIRRORED_X)
+ANSWERS(flipped, POINT(X, in->height - Y), "flipped: row 0 is the top row, where y is largest",
+        MISTAKE_FLIPPED_Y)
+ANSWERS(transposed, POINT(Y, X), "transposed: x counts columns and y rows", MISTAKE_TRANSPOSED)
+
+// Nobody counts from -1: the half that leads to the middle was taken off.
+ANSWERS(one_right, POINT(X + 1, Y), "shifted by one pixel to the right: columns count from 0",
+        MISTAKE_SHIFTED_ONE)
+ANSWERS(one_left, POINT(X - 1, Y),
+        "shifted by one pixel to the left: half a pixel has the wrong sign", MISTAKE_SHIFTED_ONE)
+ANSWERS(one_down, POINT(X, Y + 1), "shifted by one pixel down: rows count from 0",
+        MISTAKE_SHIFTED_ONE)
+ANSWERS(one_up, POINT(X, Y - 1), "shifted by one pixel up: half a pixel has the wrong sign",
+        MISTAKE_SHIFTED_ONE)
+ANSWERS(one_left_up, POINT(X - 1, Y - 1),
+        "shifted by one pixel to the left and up: half a pixel has the wrong sign",
+        MISTAKE_SHIFTED_ONE)
+ANSWERS(one_right_down, POINT(X + 1, Y + 1),
+        "shifted by one pixel to the right and down: columns and rows count from 0",
+        MISTAKE_SHIFTED_ONE)
+
+// What a division of whole numbers takes off the half of an odd width or height.
+#define OFF(size) ((size) % 2 / 2.0)
+
+ANSWERS(whole_halves, POINT(X + OFF(in->width), Y + OFF(in->height)),
+        "half of an odd width or height has lost its half: the division is one of whole numbers")
+ANSWERS(whole_half_height, POINT(X, Y + OFF(in->height)),
+        "half of an odd height has lost its half: the division is one of whole numbers")
+ANSWERS(halves_rounded_up, POINT(X - OFF(in->width), Y - OFF(in->height)),
+        "half of an odd width or height was rounded up: the middle of the display lies in the "
+        "middle of a pixel there")
+ANSWERS(whole_steps,
+        POINT(in->width / 2.0 + trunc(X - in->width / 2.0),
+              in->height / 2.0 - trunc(in->height / 2.0 - Y)),
+        "steps from the middle are whole numbers there, but odd halves in pictures of even size")
+ANSWERS(from_border_to_border,
+        POINT(in->x * in->width / (in->width - 1.0), in->y * in->height / (in->height - 1.0)),
+        "the first and the last pixel stand on the borders: a picture has as many steps as pixels, "
+        "and a pixel's middle is half a step from the border")
+
+// With another number for height / width.
+static OracleVector with_aspect(const PixelJob *in, double aspect)
 {
-    const PixelJob *in = &((const Job04 *)pointer)->pixels[i];
-    const OracleVector e =
-        oracle3d_display(in->x, in->y, in->width, in->height, in->camera.fov, &right);
+    OracleVector p = SIZED(SIZE);
+    p.y *= aspect * in->width / in->height;
+    return p;
+}
+
+static OracleVector at(OracleVector p, double z)
+{
+    p.z = z;
+    return p;
+}
+
+ANSWERS(no_squares, with_aspect(in, 1), "pixels are squares: y needs the same size of a pixel as x")
+ANSWERS(inverse_aspect, with_aspect(in, (double)in->width / in->height),
+        "y is scaled by width / height: it is height / width")
+ANSWERS(whole_aspect, with_aspect(in, floor((double)in->height / in->width)),
+        "height / width is a division of whole numbers there")
+ANSWERS(made_unit, vector_unit(SIZED(SIZE)),
+        "the point was made a unit vector: it stands on the display, at z = 1")
+ANSWERS(width_1, at(SIZED(1.0 / in->width), 1 / FOV),
+        "that display is 1 wide: it must stand at distance 1, and be as wide as fov")
+
+static const Known *const known[] = {
+    &corner,
+    &far_corner,
+    &half_width,
+    &fov_height,
+    &angle,
+    &longer_side,
+    &mirrored,
+    &flipped,
+    &transposed,
+    &one_right,
+    &one_left,
+    &one_down,
+    &one_up,
+    &one_left_up,
+    &one_right_down,
+    &whole_halves,
+    &whole_half_height,
+    &halves_rounded_up,
+    &whole_steps,
+    &from_border_to_border,
+    &no_squares,
+    &inverse_aspect,
+    &whole_aspect,
+    &made_unit,
+    &width_1,
+};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    const OracleVector e = expected(in);
     return message_new("pixel (%d, %d) of %dx%d, fov %g: found %s, expected %s", in->x, in->y,
-                       in->width, in->height, in->camera.fov,
-                       words_vec3(((const PixelAnswer *)answers)[i].on_display, 6).text,
+                       in->width, in->height, in->camera.fov, words_vec3(found, 6).text,
                        words_xyz(e.x, e.y, e.z, 6).text);
 }
 
 const Function display_sides_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
-                                   COMPARED(side_agrees, describe_point, display_mistakes),
-                                   .counted = "points"};
+                                   KNOWING(is_right_side, describe, known), .counted = "points"};
 const Function display_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
-                             COMPARED(display_agrees, describe_point, display_mistakes),
-                             .counted = "points"};
+                             KNOWING(is_right, describe, known), .counted = "points"};

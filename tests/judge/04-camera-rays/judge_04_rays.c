@@ -22,27 +22,45 @@ int is_opposite_04(Vec3 found, OracleVector expected, double error)
     return is_near_04(found, (OracleVector){-expected.x, -expected.y, -expected.z}, error);
 }
 
-// ---- Known mistakes -----------------------------------------------------------------------------
-
-static OracleRay ray_of(const PixelJob *job, const OracleRules3D *rules)
+static OracleRay ray_of(const PixelJob *in)
 {
-    return oracle3d_primary_ray(&job->camera, job->x, job->y, job->width, job->height, rules);
+    return oracle3d_primary_ray(&in->camera, in->x, in->y, in->width, in->height, &right);
 }
 
-// The direction on the display, as long as it is there: of another pixel, picture or fov.
-typedef struct Seen {
-    int x, y, width, height;
-    float fov;
-} Seen;
+// ---- The direction ------------------------------------------------------------------------------
 
-static Seen seen_by(const PixelJob *in)
+#define GIVEN                                                                                      \
+    const PixelJob *in = &((const Job04 *)job)->pixels[i];                                         \
+    const Vec3 found = ((const PixelAnswer *)answers)[i].direction
+
+// Is a ray's direction right, of any length?
+static int is_turned(const PixelJob *in, Vec3 found)
 {
-    return (Seen){in->x, in->y, in->width, in->height, in->camera.fov};
+    const OracleRay ray = ray_of(in);
+    const double length = vec3_length(found);
+    const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
+                       (float)(found.z / length)};
+    return length != 0 && is_near_04(unit, ray.direction, ray.direction_error);
 }
 
-static OracleVector display_of(Seen seen)
+RIGHT(is_right_direction, is_turned(in, found))
+RIGHT(is_unit, fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04)
+
+// Does a direction, of any length, go along a vector?
+static int goes_along(Vec3 found, OracleVector vector, double error)
 {
-    return oracle3d_display(seen.x, seen.y, seen.width, seen.height, seen.fov, &right);
+    const OracleVector off = vector_minus(vector_unit(vector_of(found)), vector_unit(vector));
+    return vector_length(off) <= 2 * error;
+}
+
+// A mistake explains every direction but those of the far eyes: with them sums lose digits.
+#define IS_FOUND(vector)                                                                           \
+    (i >= FIRST_FAR_EYE || goes_along(found, vector, ray_of(in).direction_error))
+
+// The point on the display, with another fov and size.
+static OracleVector display(const PixelJob *in, double fov, int width, int height)
+{
+    return oracle3d_display(in->x, in->y, width, height, fov, &right);
 }
 
 // A point as seen from the eye, turned to the scene's axes.
@@ -53,183 +71,114 @@ static OracleVector turned_by(const Camera *camera, OracleVector p)
     return vector_plus(vector_plus(x, y), vector_scaled(p.z, vector_of(camera->forward)));
 }
 
-static OracleVector unturned(const PixelJob *in)
+// And the other way round.
+static OracleVector turned_back(const Camera *camera, OracleVector p)
 {
-    return display_of(seen_by(in));
+    return (OracleVector){vector_dot(p, vector_of(camera->right)),
+                          vector_dot(p, vector_of(camera->up)),
+                          vector_dot(p, vector_of(camera->forward))};
 }
 
-static OracleVector turned_round(const PixelJob *in)
+static OracleVector with_unit_sides(OracleVector p)
 {
-    const OracleRules3D transposed = {.axes_transposed = 1};
-    return ray_of(in, &transposed).direction;
-}
-
-static OracleVector backwards(const PixelJob *in)
-{
-    return vector_scaled(-1, ray_of(in, &right).direction);
-}
-
-static OracleVector with_the_eye(const PixelJob *in)
-{
-    return vector_plus(vector_of(in->camera.eye), turned_by(&in->camera, unturned(in)));
-}
-
-static OracleVector with_fov_1(const PixelJob *in)
-{
-    Seen seen = seen_by(in);
-    seen.fov = 1;
-    return turned_by(&in->camera, display_of(seen));
-}
-
-static OracleVector with_swapped_size(const PixelJob *in)
-{
-    Seen seen = seen_by(in);
-    seen.width = in->height, seen.height = in->width;
-    return turned_by(&in->camera, display_of(seen));
-}
-
-static OracleVector with_up_down(const PixelJob *in)
-{
-    OracleVector p = unturned(in);
-    p.y = -p.y;
-    return turned_by(&in->camera, p);
-}
-
-static OracleVector with_unit_sides(const PixelJob *in)
-{
-    OracleVector p = unturned(in);
     p.z = 0;
     p = vector_unit(p);
     p.z = 1;
-    return turned_by(&in->camera, p);
+    return p;
 }
 
-// Mistakes that explain every wrong direction, but for its length. The far eyes are left out: with
-// them sums lose digits.
-static const struct {
-    OracleVector (*direction)(const PixelJob *in);
-    const char *says;
-} ray_mistakes[] = {
-    {turned_round,
-     "the view transform is turned round: x times right plus y times up plus z times forward"},
-    {backwards, "it points backwards"},
-    {unturned, "it is still in the camera's axes: they are to turn it to the scene's"},
-    {with_the_eye, "the eye was added: that makes a point, and a direction has no place"},
-    {with_fov_1, "that is the direction of a fov of 1, not the camera's"},
-    {with_swapped_size, "width and height are swapped"},
-    {with_up_down, "up and down are swapped"},
-    {with_unit_sides, "the part along the display was made a unit vector before forward was added"},
+#define CAMERA (&in->camera)
+#define DISPLAY display(in, in->camera.fov, in->width, in->height)
+#define IS_MIDDLE (2 * in->x + 1 == in->width && 2 * in->y + 1 == in->height)
+
+ANSWERS(turned_round, turned_back(CAMERA, DISPLAY),
+        "the view transform is turned round: x times right plus y times up plus z times forward")
+ANSWERS(backwards, vector_scaled(-1, turned_by(CAMERA, DISPLAY)), "it points backwards")
+ANSWERS(unturned, DISPLAY, "it is still in the camera's axes: they are to turn it to the scene's")
+ANSWERS(with_the_eye, vector_plus(vector_of(CAMERA->eye), turned_by(CAMERA, DISPLAY)),
+        "the eye was added: that makes a point, and a direction has no place")
+ANSWERS(with_fov_1, turned_by(CAMERA, display(in, 1, in->width, in->height)),
+        "that is the direction of a fov of 1, not the camera's")
+ANSWERS(with_swapped_size, turned_by(CAMERA, display(in, CAMERA->fov, in->height, in->width)),
+        "width and height are swapped")
+ANSWERS(up_is_down, turned_by(CAMERA, (OracleVector){DISPLAY.x, -DISPLAY.y, 1}),
+        "up and down are swapped")
+// In the very middle there is no such part.
+EACH(unit_sides, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, with_unit_sides(DISPLAY))),
+     "the part along the display was made a unit vector before forward was added")
+// A sum with the eye rounds to the eye's digits.
+ONLY(
+    far_eye,
+    i >= FIRST_FAR_EYE &&
+        goes_along(found, ray_of(in).direction, 4 * 0x1p-24 * vec3_length(CAMERA->eye)),
+    "from a near eye it is right, from a far eye its digits are lost: the eye, a large number, has "
+    "no part in the direction")
+ONLY(is_zero, vec3_length(found) == 0, "it is zero")
+ONLY(not_unit, 1, "it must be a unit vector, so that t is a distance: normalize()")
+
+static const Known *const known_of_direction[] = {
+    &turned_round,      &backwards,  &unturned,   &with_the_eye, &with_fov_1,
+    &with_swapped_size, &up_is_down, &unit_sides, &far_eye,      &is_zero,
 };
+static const Known *const known_of_length[] = {&not_unit};
 
-static OracleVector unit_of(Vec3 v)
+static char *describe_direction(const void *job, int i, const void *answers)
 {
-    return vector_unit(vector_of(v));
+    GIVEN;
+    const OracleVector e = ray_of(in).direction;
+    return message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected %s",
+                       in->x, in->y, in->width, in->height, words_vec3(found, 6).text,
+                       vec3_length(found), words_xyz(e.x, e.y, e.z, 6).text);
 }
 
-static int is_direction(OracleVector found, OracleVector expected, double error)
+const Function ray_transform_04 = {
+    "pixels",
+    N_ALL_PIXELS,
+    sizeof(PixelAnswer),
+    KNOWING(is_right_direction, describe_direction, known_of_direction),
+    .counted = "rays",
+    .knows_constant = 1};
+const Function ray_unit_04 = {"pixels",
+                              N_ALL_PIXELS,
+                              sizeof(PixelAnswer),
+                              KNOWING(is_unit, describe_direction, known_of_length),
+                              .counted = "rays",
+                              .knows_constant = 1};
+#undef GIVEN
+
+// ---- Where a ray begins and ends ----------------------------------------------------------------
+
+#define GIVEN                                                                                      \
+    const PixelJob *in = &((const Job04 *)job)->pixels[i];                                         \
+    const PixelAnswer *found = (const PixelAnswer *)answers + i
+
+static int begins_at(const PixelAnswer *found, Vec3 eye)
 {
-    return vector_length(vector_minus(found, vector_unit(expected))) <= 2 * error;
+    return found->origin.x == eye.x && found->origin.y == eye.y && found->origin.z == eye.z;
 }
 
-// What wrong directions look like, or NULL.
-static const char *directions_look(const Job04 *job, const PixelAnswer *answers)
-{
-    for (int m = 0; m < COUNT(ray_mistakes); m++) {
-        int i = 0;
-        while (i < FIRST_FAR_EYE && is_direction(unit_of(answers[i].direction),
-                                                 ray_mistakes[m].direction(&job->pixels[i]),
-                                                 ray_of(&job->pixels[i], &right).direction_error)) {
-            i++;
-        }
-        if (i == FIRST_FAR_EYE) {
-            return ray_mistakes[m].says;
-        }
-    }
-    return NULL;
-}
+#define BEGINS begins_at(found, in->camera.eye)
 
-// The same of pixel number i, the first one that is wrong.
-static const char *direction_looks(const Job04 *job, int i, const PixelAnswer *answers)
-{
-    const PixelJob *in = &job->pixels[i];
-    // A sum with the eye rounds to the eye's digits.
-    const double eye_error = 4 * 0x1p-24 * vec3_length(in->camera.eye);
-    if (i >= FIRST_FAR_EYE) {
-        return is_direction(unit_of(answers[i].direction), ray_of(in, &right).direction, eye_error)
-                   ? "from a near eye it is right, from a far eye its digits are lost: the eye, a "
-                     "large number, has no part in the direction"
-                   : NULL;
-    }
-    return directions_look(job, answers);
-}
+RIGHT(has_right_limits, BEGINS && found->t_min == 0 && found->t_max == INFINITY)
+ONLY(not_at_eye, !BEGINS, "the ray begins at the eye")
+ONLY(not_from_0, found->t_min != 0, "what is before the eye counts from 0 on")
+ONLY(largest_float, found->t_max == FLT_MAX, "the largest float is an end, too: t_max is INFINITY")
+ONLY(has_end, found->t_max != INFINITY, "the ray has no end: t_max is INFINITY")
 
-// ---- Judging ------------------------------------------------------------------------------------
+static const Known *const known_of_limits[] = {&not_at_eye, &not_from_0, &largest_float, &has_end};
 
-// A wrong direction.
-//   remark   joins what was found
-static Diagnosis describe_direction(const PixelJob *in, Vec3 found, const char *remark, Cause cause)
+static char *describe_limits(const void *job, int i, const void *answers)
 {
-    const OracleVector e = ray_of(in, &right).direction;
-    return diagnosis_of(
-        message_new("pixel (%d, %d) of %dx%d: found direction %s of length %.6g, expected %s%s",
-                    in->x, in->y, in->width, in->height, words_vec3(found, 6).text,
-                    vec3_length(found), words_xyz(e.x, e.y, e.z, 6).text, remark),
-        cause);
-}
-
-// Is a ray's direction right, of any length?
-static Diagnosis transform_fault(const void *job, int i, const void *answers)
-{
-    const PixelJob *in = &((const Job04 *)job)->pixels[i];
-    const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
-    const OracleRay ray = ray_of(in, &right);
-    const double length = vec3_length(found);
-    const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
-                       (float)(found.z / length)};
-    if (length == 0) {
-        return describe_direction(in, found, "", (Cause){.says = "it is zero"});
-    }
-    if (is_near_04(unit, ray.direction, ray.direction_error)) {
-        return NOTHING_WRONG;
-    }
-    return describe_direction(in, found, "", (Cause){.says = direction_looks(job, i, answers)});
-}
-
-static Diagnosis unit_fault(const void *job, int i, const void *answers)
-{
-    static const Cause not_unit = {
-        .says = "it must be a unit vector, so that t is a distance: normalize()"};
-    const Vec3 found = ((const PixelAnswer *)answers)[i].direction;
-    return fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04
-               ? NOTHING_WRONG
-               : describe_direction(&((const Job04 *)job)->pixels[i], found, "", not_unit);
-}
-
-// Where a ray begins and ends.
-static Diagnosis ray_limits_fault(const void *job, int i, const void *answers)
-{
-    const PixelJob *in = &((const Job04 *)job)->pixels[i];
-    const PixelAnswer *own = (const PixelAnswer *)answers + i;
-    const Vec3 eye = in->camera.eye;
-    const char *looks = own->origin.x != eye.x || own->origin.y != eye.y || own->origin.z != eye.z
-                            ? "the ray begins at the eye"
-                        : own->t_min != 0 ? "what is before the eye counts from 0 on"
-                        : own->t_max == FLT_MAX
-                            ? "the largest float is an end, too: t_max is INFINITY"
-                        : own->t_max != INFINITY ? "the ray has no end: t_max is INFINITY"
-                                                 : NULL;
-    if (looks == NULL) {
-        return NOTHING_WRONG;
-    }
-    char *found = message_new(
+    GIVEN;
+    return message_new(
         "pixel (%d, %d) of %dx%d: found origin %s, t_min %g, t_max %g, expected %s, 0 and inf",
-        in->x, in->y, in->width, in->height, words_vec3(own->origin, 6).text, own->t_min,
-        own->t_max, words_vec3(eye, 6).text);
-    return diagnosis_of(found, (Cause){.says = looks});
+        in->x, in->y, in->width, in->height, words_vec3(found->origin, 6).text, found->t_min,
+        found->t_max, words_vec3(in->camera.eye, 6).text);
 }
 
-const Function ray_transform_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
-                                   .fault = transform_fault};
-const Function ray_unit_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer), .fault = unit_fault};
-const Function ray_limits_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
-                                .fault = ray_limits_fault};
+const Function ray_limits_04 = {"pixels",
+                                N_ALL_PIXELS,
+                                sizeof(PixelAnswer),
+                                KNOWING(has_right_limits, describe_limits, known_of_limits),
+                                .counted = "rays",
+                                .knows_constant = 1};

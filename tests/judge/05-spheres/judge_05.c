@@ -71,6 +71,7 @@ static int roll(void *pointer, Random *random)
     Job05 *job = pointer;
     roll_inputs_05(job, random);
     inputs_05_set_edges(job);
+    inputs_05_link(job);
     const int result = roll_scenes(random, job->scenes);
     roll_squares_05(random, job->squares);
     return result;

@@ -55,6 +55,13 @@ typedef struct SquareScene {
     Sphere squares[MAX_SQUARES + 1];  // behind the last one that must not be asked
 } SquareScene;
 
+// What one of the intersections gets: roots or spheres, and in which form a right solution may be.
+typedef struct Inputs05 {
+    const RootJob *roots;
+    const SphereRayJob *spheres;
+    OracleForm form;
+} Inputs05;
+
 typedef struct Job05 {
     Job job;
     RootJob roots[3 * N_ROOTS];
@@ -65,11 +72,13 @@ typedef struct Job05 {
     Light lights[N_LIGHTS];
     JobScene3D scenes[N_SCENES];
     SquareScene squares[N_SCENES];
+    Inputs05 of_root, of_textbook, of_sphere;  // each in this job
 } Job05;
 
 // Roll what the functions get; put the inputs of every job into their places.
 void roll_inputs_05(Job05 *job, Random *random);
 void inputs_05_set_edges(Job05 *job);
+void inputs_05_link(Job05 *job);
 
 // Does the ray, along z, touch the sphere and all of that in numbers that float holds? Then every
 // right form finds a disc of exactly 0, and b for the hit.

@@ -29,6 +29,7 @@ static Job05 *alone_job(const Job05 *whole)
     Job05 *job = malloc(sizeof *job);
     if (job != NULL) {
         *job = *whole;
+        inputs_05_link(job);
         set_t_min(job->textbook, COUNT(job->textbook));
         set_t_min(job->projection, COUNT(job->projection));
     }

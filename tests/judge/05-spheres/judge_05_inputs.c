@@ -164,3 +164,10 @@ void roll_inputs_05(Job05 *job, Random *random)
         job->shades[i] = roll_shade(random, i / N_SHADES, job->lights);
     }
 }
+
+void inputs_05_link(Job05 *job)
+{
+    job->of_root = (Inputs05){.roots = job->roots};
+    job->of_textbook = (Inputs05){.spheres = job->textbook, .form = ORACLE_TEXTBOOK};
+    job->of_sphere = (Inputs05){.spheres = job->projection, .form = ORACLE_PROJECTION};
+}

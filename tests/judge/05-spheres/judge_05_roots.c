@@ -2,120 +2,40 @@
 // judge_05_shading.c is the sibling.
 #include "judge_05.h"
 
-#include "judge_05_mistakes.h"
 #include "message.h"
 #include "oracle3d.h"
+#include "oracle3d_rounding.h"
 #include "words.h"
 
 #include <float.h>
-#include <math.h>
 
-static const OracleRules3D right = {0};
+// ---- Inputs -------------------------------------------------------------------------------------
 
-// ---- nearest_root -------------------------------------------------------------------------------
+// A ray's line and a sphere: what each of the three functions is about.
+typedef struct Line {
+    double b, disc, radius, t_min;
+    double c2;             // the centre's distance from the eye, squared; nearest_root gets none
+    double t_near, t_far;  // where the line enters the sphere, and where it leaves
+    double error;          // how far float may be off such a root
+    int is_miss;           // it does not meet the sphere
+    int is_doubtful;       // float may find that it does or does not, near b
+    int is_touch;          // it touches the sphere, and all is exact in float, too
+    int is_afar;           // the eye is far from the scene's origin
+} Line;
 
-// The roots, on a ray of their own: the sphere's centre is at distance b, half a chord of it is the
-// radius. What nearest_root gets is exact; its root is not quite.
-static OracleRoot expected_root(RootJob job, const OracleRules3D *rules)
+// What nearest_root gets is exact: float rounds the root, by 3 ulp (OpenCL 1.2, 7.4), and a sum.
+static Line line_of_root(RootJob job)
 {
-    const float half_chord = sqrtf(job.disc);
-    const Sphere sphere = {job.b, 0, 0, job.radius < 0 ? -half_chord : half_chord};
-    OracleRay ray = {.direction = {1, 0, 0}, .t_min = job.t_min};
-    OracleRoot miss = {.t = INFINITY};
-    return job.disc < 0 ? miss : oracle3d_root(sphere, &ray, ORACLE_PROJECTION, rules);
-}
-
-static int is_miss(float found)
-{
-    return isinf(found) && found > 0;
-}
-
-static int is_right_root(const OracleRoot *root, float found)
-{
-    if (is_miss(found)) {
-        return !root->is_certain;
-    }
-    return root->is_possible && found >= root->t_low && found <= root->t_high;
-}
-
-// Where disc is 0, all is exact in float, too: the one root is b, and a hit beyond t_min.
-static int touches(RootJob job, const RootMistake *mistake)
-{
-    const OracleRules3D *rules = &mistake->rules;
-    const int is_negative = job.radius < 0;
-    const float limit = rules->t_min_zero ? 0 : job.t_min;
-    if (mistake->touching_missed || (rules->centre_behind_missed && job.b < 0) ||
-        (is_negative && (rules->negative_radius_missed || rules->inside_is_miss))) {
-        return 0;
-    }
-    return job.b > limit || rules->any_distance || (mistake->t_min_counts && job.b == limit) ||
-           (is_negative && rules->negative_radius_always);
-}
-
-// Of a disc and a b that are exact the roots are, but for the rounding of a root and a sum.
-static int is_mistaken_root(RootJob job, const RootMistake *mistake, float found)
-{
-    static const Misses misses = {INFINITY, INFINITY};
-    const Misses *miss = mistake->misses != NULL ? mistake->misses : &misses;
-    const float half_chord = sqrtf(fmaxf(job.disc, 0));
-    const float root = mistake->root(job, job.b - half_chord, job.b + half_chord);
-    const float t = job.disc < 0 ? miss->by_disc : isinf(root) ? miss->by_t_min : root;
-    return (isnan(t) && isnan(found)) || t == found ||
-           fabsf(found - t) <= 4 * FLT_EPSILON * (fabsf(job.b) + half_chord);
-}
-
-static int root_agrees(const void *pointer, int i, const void *answers, int number)
-{
-    const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const RootMistake *mistake = &root_mistakes_05[number];
-    const float found = ((const float *)answers)[i];
-    if (mistake->quadratic != NULL || mistake->is_lost_afar) {
-        return 0;  // of the other two
-    }
-    if (mistake->is_missed && is_miss(found)) {
-        return 1;
-    }
-    if (mistake->root != NULL) {
-        return is_mistaken_root(job, mistake, found);
-    }
-    if (job.disc == 0) {
-        return touches(job, mistake) ? found == job.b : is_miss(found);
-    }
-    const OracleRoot root = expected_root(job, &mistake->rules);
-    return is_right_root(&root, found);
-}
-
-// Where hits are missed, others must be found: else the cause is another.
-static int root_shows(const void *job, Range range, const void *answers, int mistake)
-{
-    int n_hits = 0;
-    for (int i = 0; i < range.n; i++) {
-        const int input = range_at(range, i);
-        n_hits += !is_miss(((const float *)answers)[input]) && root_agrees(job, input, answers, 0);
-    }
-    return !root_mistakes_05[mistake].is_missed || n_hits > 0;
-}
-
-static char *describe_root(const void *pointer, int i, const void *answers)
-{
-    const RootJob job = ((const Job05 *)pointer)->roots[i];
-    const double expected = job.disc != 0                        ? expected_root(job, &right).t
-                            : touches(job, &root_mistakes_05[0]) ? (double)job.b
-                                                                 : (double)INFINITY;
-    return message_new("b %g, disc %g, radius %g, t_min %.9g: found %.9g, expected %.9g", job.b,
-                       job.disc, job.radius, job.t_min, ((const float *)answers)[i], expected);
-}
-
-const Function nearest_root_05 = {"roots", 3 * N_ROOTS, sizeof(float),
-                                  COMPARED(root_agrees, describe_root, root_mistakes_05),
-                                  .shows = root_shows};
-
-// ---- intersect_textbook, intersect_sphere -------------------------------------------------------
-
-static OracleRoot expected_hit(const SphereRayJob *job, OracleForm form, const OracleRules3D *rules)
-{
-    const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
-    return oracle3d_root(job->sphere, &ray, form, rules);
+    const double half = sqrt(fmax(job.disc, 0));
+    return (Line){.b = job.b,
+                  .disc = job.disc,
+                  .radius = job.radius,
+                  .t_min = job.t_min,
+                  .t_near = job.b - half,
+                  .t_far = job.b + half,
+                  .error = half > 0 ? 8 * ROUNDING * (fabs((double)job.b) + half) : 0,
+                  .is_miss = job.disc < 0,
+                  .is_touch = job.disc == 0};
 }
 
 int touches_exactly_05(const SphereRayJob *job)
@@ -126,172 +46,216 @@ int touches_exactly_05(const SphereRayJob *job)
            x * x + y * y == (double)job->sphere.radius * job->sphere.radius;
 }
 
-// How far the roots of a mistaken quadratic may be off in float, and its disc, both as a share.
-#define MISTAKEN_ERROR 1e-4
-#define MISTAKEN_DISC_ERROR 0x1p-18
-
-static int is_near_share(double found, double expected, double size)
+static OracleRay ray_of(const SphereRayJob *job)
 {
-    return found == expected || fabs(found - expected) <= MISTAKEN_ERROR * size;
+    return oracle3d_given_ray(job->origin, job->direction, job->t_min);
 }
 
-// What a mistake hands to nearest_root, and how far float may be off with its disc.
-typedef struct Mistaken {
-    Quadratic in;
-    double doubt;
-} Mistaken;
-
-static Mistaken mistaken_of(const SphereRayJob *job, MistakenQuadratic *mistaken)
+static Line line_of_sphere(const SphereRayJob *job, OracleForm form)
 {
-    const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
-    const OracleVector centre = {job->sphere.x, job->sphere.y, job->sphere.z};
-    const OracleVector c = vector_minus(centre, ray.origin);
-    const double b = vector_dot(c, ray.direction), c2 = vector_dot(c, c);
-    return (Mistaken){mistaken(b, c2, job->sphere.radius), MISTAKEN_DISC_ERROR * (b * b + c2)};
-}
-
-// Does an answer come of b and disc with a mistake?
-static int is_mistaken_hit(const SphereRayJob *job, MistakenQuadratic *mistaken, float found)
-{
-    const Mistaken what = mistaken_of(job, mistaken);
-    const Quadratic in = what.in;
-    const double half = sqrt(fmax(in.disc, 0)), t_near = in.b - half, t_far = in.b + half;
-    if (fabs(in.disc) <= what.doubt) {
-        // Float may find it negative or not: the roots are near b, or there are none.
-        return is_miss(found) || fabs(found - in.b) <= 2 * sqrt(what.doubt);
+    const OracleRay ray = ray_of(job);
+    const OracleVector c = vector_minus(centre_of(job->sphere), ray.origin);
+    const double r = job->sphere.radius;
+    const OracleChord chord = oracle3d_chord(job->sphere, &ray, form);
+    Line line = {.b = chord.middle,
+                 .radius = r,
+                 .t_min = job->t_min,
+                 .c2 = vector_dot(c, c),
+                 .is_miss = !chord.is_possible,
+                 .is_touch = touches_exactly_05(job),
+                 .is_afar = fabsf(job->origin.x) > 1000};
+    const double half = line.is_touch || isnan(chord.half) ? 0 : chord.half;
+    line.disc = line.b * line.b - (line.c2 - r * r);
+    line.t_near = line.b - half, line.t_far = line.b + half;
+    line.is_doubtful = !line.is_miss && !line.is_touch && !chord.is_certain;
+    if (!line.is_miss && !line.is_touch) {
+        line.error = fmax(chord.longest - half, half - chord.shortest) + chord.error +
+                     ROUNDING * (fabs(line.b) + chord.longest);
     }
-    const double t = in.disc < 0                                     ? (double)INFINITY
-                     : job->sphere.radius > 0 && t_near > job->t_min ? t_near
-                     : t_far > job->t_min                            ? t_far
-                                                                     : (double)INFINITY;
-    return is_near_share(found, t, fabs(in.b) + half);
+    return line;
 }
 
-// Is the eye far from the scene's origin?
-static int is_afar(const SphereRayJob *job)
+// The first ranges are harmless for either form, and a mistake may be made in either.
+static Line line_at(const Inputs05 *inputs, int i)
 {
-    return fabsf(job->origin.x) > 1000;
+    return inputs->roots != NULL
+               ? line_of_root(inputs->roots[i])
+               : line_of_sphere(&inputs->spheres[i],
+                                i < 2 * N_SPHERES ? ORACLE_TEXTBOOK : ORACLE_PROJECTION);
 }
 
-static int sphere_agrees(const SphereRayJob *job, OracleForm form, const RootMistake *mistake,
-                         float found)
+#define GIVEN                                                                                      \
+    const Inputs05 *inputs = job;                                                                  \
+    const Line in = line_at(inputs, i);                                                            \
+    const float found = ((const float *)answers)[i];                                               \
+    (void)inputs
+#define IS_FOUND(t) is_found(in, t, found)
+
+static int is_found(Line in, double t, float found)
 {
-    if (mistake->root != NULL) {
-        return 0;  // of nearest_root
+    return found == t || (isnan(t) && isnan(found)) ||
+           (in.is_doubtful ? found == INFINITY || fabs(found - in.b) <= in.error + in.t_far - in.b
+                           : fabs(found - t) <= in.error);
+}
+
+// ---- Right --------------------------------------------------------------------------------------
+
+// Which root is the hit: where the ray enters, if that counts, else where it leaves, if that does.
+static double hit(Line in, int enters, int leaves)
+{
+    return in.is_miss ? INFINITY : enters ? in.t_near : leaves ? in.t_far : INFINITY;
+}
+
+#define ENTERS(limit) (in.radius > 0 && in.t_near > (limit))
+#define LEAVES(limit) (in.t_far > (limit))
+#define HIT hit(in, ENTERS(in.t_min), LEAVES(in.t_min))
+
+RIGHT(is_right_root, IS_FOUND(HIT))
+
+static int is_right_hit(const SphereRayJob *job, OracleForm form, float found)
+{
+    static const OracleRules3D right = {0};
+    const OracleRay ray = ray_of(job);
+    const OracleRoot root = oracle3d_root(job->sphere, &ray, form, &right);
+    return touches_exactly_05(job) ? found == job->sphere.z - job->origin.z
+           : found == INFINITY     ? !root.is_certain
+                               : root.is_possible && found >= root.t_low && found <= root.t_high;
+}
+
+RIGHT(is_right_sphere, is_right_hit(&inputs->spheres[i], inputs->form, found))
+
+// ---- Mistakes -----------------------------------------------------------------------------------
+
+// Of the root.
+ANSWERS(touching_missed, in.is_touch ? INFINITY : HIT,
+        "where disc is 0 the ray touches the sphere, and that is a hit")
+ANSWERS(farther, hit(in, 0, LEAVES(in.t_min)),
+        "that is the farther root, where the ray leaves the sphere")
+ANSWERS(any_distance, hit(in, in.radius > 0, 1), "that is not beyond t_min")
+ANSWERS(negative_missed, in.radius < 0 ? INFINITY : HIT,
+        "a sphere with a negative radius is seen from inside")
+ANSWERS(inside_missed, hit(in, ENTERS(in.t_min), 0),
+        "from inside the second root is the hit: b + sqrt(disc)")
+ANSWERS(sign_ignored, hit(in, in.t_near > in.t_min, LEAVES(in.t_min)),
+        "a negative radius means that only the farther root counts")
+ANSWERS(negative_always, hit(in, ENTERS(in.t_min), in.radius < 0 || LEAVES(in.t_min)),
+        "where the radius is negative the farther root counts beyond t_min only, too")
+ANSWERS(t_min_is_0, hit(in, ENTERS(0), LEAVES(0)), "t_min is the ray's, and need not be 0")
+EACH(behind_missed, fabs(in.b) <= in.error || IS_FOUND(in.b < 0 ? INFINITY : HIT),
+     "the centre is behind the eye, which does not matter where the eye is inside")
+
+// Of nearest_root only. A hair beyond t_min is more than what is closest beyond it among the
+// inputs, and less than all else.
+#define HAIR (in.t_min + 1e-5 * fmax(in.t_min, 1))
+
+ANSWERS(t_min_counts, hit(in, in.radius > 0 && in.t_near >= in.t_min, in.t_far >= in.t_min),
+        "t_min itself does not count")
+ANSWERS(entry_at_t_min, hit(in, in.radius > 0 && in.t_near >= in.t_min, LEAVES(in.t_min)),
+        "an entry at t_min itself does not count")
+ANSWERS(beyond_by_hair, hit(in, ENTERS(HAIR), LEAVES(HAIR)),
+        "a hit beyond t_min by however little counts: no epsilon")
+ANSWERS(entry_by_hair, hit(in, ENTERS(HAIR), LEAVES(in.t_min)),
+        "an entry beyond t_min by however little counts: no epsilon")
+ANSWERS(exit_unasked, hit(in, ENTERS(in.t_min), 1), "the exit counts beyond t_min only, too")
+ANSWERS(part_begins,
+        in.radius > 0 && !in.is_miss && LEAVES(in.t_min) ? fmax(in.t_near, in.t_min) : HIT,
+        "from inside the hit is where the ray leaves the sphere, not t_min")
+ANSWERS(largest_float, HIT == INFINITY ? FLT_MAX : HIT,
+        "where nothing is hit INFINITY is to be returned, not the largest float")
+ANSWERS(root_of_negative, in.disc < 0 ? NAN : HIT,
+        "a negative disc has no root: it is a miss, to be found before sqrt() makes NaN")
+ANSWERS(zero, HIT == INFINITY ? 0 : HIT, "where nothing is hit INFINITY is to be returned, not 0")
+
+// Of what is handed to nearest_root. Small spheres far away tell nothing of it: float may find the
+// disc positive or negative.
+static int comes_of(Line in, double b, double disc, float found)
+{
+    const double doubt = 0x1p-18 * (b * b + in.c2), half = sqrt(fmax(disc, 0));
+    in.is_miss = disc < 0, in.is_doubtful = fabs(disc) <= doubt;
+    in.b = b, in.t_near = b - half, in.t_far = b + half;
+    in.error = in.is_doubtful ? sqrt(doubt) : 1e-4 * (fabs(b) + half);
+    return fabs(in.radius) > 1e-3 * sqrt(in.c2) && IS_FOUND(HIT);
+}
+
+#define C (in.c2 - in.radius * in.radius)
+#define LESS_WAY (in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)))
+
+EACH(b_turned, comes_of(in, -in.b, in.disc, found),
+     "b has the wrong sign: what is ahead is taken for what is behind")
+EACH(both_undivided, comes_of(in, 2 * in.b, 4 * in.disc, found),
+     "the formula with 2 b divides by 2 in the end: both roots are twice as far")
+EACH(disc_halved, comes_of(in, in.b, 2 * in.disc, found),
+     "disc is twice as large: with 2 b for b it is divided by 4")
+EACH(four_times_c, comes_of(in, in.b, in.b *in.b - 4 * C, found),
+     "with half of the equation's b the discriminant is b² - c, not b² - 4 c")
+EACH(radius_as_it_is, comes_of(in, in.b, in.b *in.b - (in.c2 - in.radius), found),
+     "the radius is not squared")
+EACH(radius_less_way, comes_of(in, in.b, LESS_WAY *LESS_WAY, found),
+     "the square of r - |l| is never negative: the difference is that of squares")
+EACH(disc_turned, comes_of(in, in.b, -in.disc, found), "disc has the wrong sign")
+
+// The textbook's form is so far off with small spheres far away that any answer could be its: it
+// loses hits of the range, and finds others beside the sphere.
+static int loses_and_misplaces(const SphereRayJob *jobs, const float *found)
+{
+    int n_lost = 0, n_beside = 0;
+    for (int i = 0; i < N_SPHERES; i++) {
+        const OracleRay ray = ray_of(&jobs[i]);
+        const OracleChord chord = oracle3d_chord(jobs[i].sphere, &ray, ORACLE_PROJECTION);
+        const double beside = 1.25 * fabs(jobs[i].sphere.radius) + chord.error;
+        n_lost += found[i] == INFINITY && !is_right_hit(&jobs[i], ORACLE_PROJECTION, INFINITY);
+        n_beside += found[i] < INFINITY && fabs(found[i] - chord.middle) > beside;
     }
-    if (mistake->quadratic != NULL) {
-        return is_mistaken_hit(job, mistake->quadratic, found);
-    }
-    if (mistake->is_lost_afar && is_afar(job)) {
-        return 1;
-    }
-    if (touches_exactly_05(job) && (mistake == root_mistakes_05 || mistake->touching_missed)) {
-        return mistake->touching_missed ? is_miss(found) : found == job->sphere.z - job->origin.z;
-    }
-    const OracleRoot root = expected_hit(job, form, &mistake->rules);
-    return (mistake->is_missed && is_miss(found)) || is_right_root(&root, found);
+    return n_lost > 0 && n_beside > 0;
 }
 
-static int textbook_agrees(const void *job, int i, const void *answers, int mistake)
+EACH(textbook_form,
+     is_right_hit(&inputs->spheres[i], ORACLE_TEXTBOOK, found) &&
+         (i % N_SPHERES > 0 ||
+          loses_and_misplaces(&inputs->spheres[i], (const float *)answers + i)),
+     "the digits are lost: the textbook's form, or one like it, which squares before it subtracts")
+EACH(lost_afar, in.is_afar || is_right_hit(&inputs->spheres[i], inputs->form, found),
+     "near the scene's origin hits are right, far from it their digits are lost: subtract the eye "
+     "first, and go on with the difference only")
+ONLY(missed, found == INFINITY,
+     "other hits are right, and nothing but a negative disc and t_min makes a miss")
+
+static const Known *const known_of_root[] = {
+    &touching_missed, &farther,      &any_distance,     &negative_missed, &inside_missed,
+    &sign_ignored,    &t_min_is_0,   &behind_missed,    &negative_always, &t_min_counts,
+    &entry_at_t_min,  &exit_unasked, &beyond_by_hair,   &entry_by_hair,   &part_begins,
+    &largest_float,   &zero,         &root_of_negative, &missed};
+static const Known *const known_of_sphere[] = {
+    &touching_missed, &farther,       &any_distance,  &negative_missed, &inside_missed,
+    &sign_ignored,    &t_min_is_0,    &behind_missed, &negative_always, &b_turned,
+    &both_undivided,  &disc_halved,   &four_times_c,  &radius_as_it_is, &radius_less_way,
+    &disc_turned,     &textbook_form, &lost_afar,     &missed};
+
+// ---- Answers ------------------------------------------------------------------------------------
+
+static char *describe_root(const void *job, int i, const void *answers)
 {
-    return sphere_agrees(&((const Job05 *)job)->textbook[i], ORACLE_TEXTBOOK,
-                         &root_mistakes_05[mistake], ((const float *)answers)[i]);
+    GIVEN;
+    return message_new("b %g, disc %g, radius %g, t_min %.9g: found %.9g, expected %.9g", in.b,
+                       in.disc, in.radius, in.t_min, found, HIT);
 }
 
-static int projection_agrees(const void *job, int i, const void *answers, int number)
+static char *describe_sphere(const void *job, int i, const void *answers)
 {
-    const RootMistake *mistake = &root_mistakes_05[number];
-    return sphere_agrees(&((const Job05 *)job)->projection[i],
-                         mistake->is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION, mistake,
-                         ((const float *)answers)[i]);
-}
-
-// What became of a range's hits.
-typedef struct HitCounts {
-    int n_right;  // found where they are,
-    int n_lost;   // not found at all,
-    int n_off;    // found where nothing of the sphere is
-} HitCounts;
-
-static HitCounts count_sphere_hits(const SphereRayJob *jobs, OracleForm form, Range range,
-                                   const float *answers)
-{
-    HitCounts counts = {0};
-    for (int i = 0; i < range.n; i++) {
-        const SphereRayJob *job = &jobs[range_at(range, i)];
-        const float found = answers[range_at(range, i)];
-        const OracleRoot root = expected_hit(job, form, &right);
-        const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
-        const OracleChord chord = oracle3d_chord(job->sphere, &ray, form);
-        counts.n_right += !is_miss(found) && is_right_root(&root, found);
-        counts.n_lost += is_miss(found) && root.is_certain;
-        counts.n_off += !is_miss(found) &&
-                        fabs(found - chord.middle) > 1.25 * fabs(job->sphere.radius) + chord.error;
-    }
-    return counts;
-}
-
-// Is a mistaken quadratic certain, whichever way float rounds, of most inputs?
-static int is_decided(const SphereRayJob *jobs, Range range, MistakenQuadratic *mistaken)
-{
-    int n_decided = 0;
-    for (int i = 0; i < range.n; i++) {
-        const Mistaken what = mistaken_of(&jobs[range_at(range, i)], mistaken);
-        n_decided += fabs(what.in.disc) > what.doubt;
-    }
-    return 2 * n_decided > range.n;
-}
-
-// Whoever only misses hits finds others. The textbook's form is so far off with small and far
-// spheres that any answer could be its: it loses hits, and finds others beside the sphere.
-static int sphere_shows(const SphereRayJob *jobs, OracleForm form, Range range,
-                        const float *answers, const RootMistake *mistake)
-{
-    if (mistake->quadratic != NULL) {
-        return is_decided(jobs, range, mistake->quadratic);
-    }
-    if (!mistake->is_missed && !mistake->is_textbook) {
-        return 1;
-    }
-    const HitCounts counts = count_sphere_hits(jobs, form, range, answers);
-    return mistake->is_missed ? counts.n_right > 0 : counts.n_lost > 0 && counts.n_off > 0;
-}
-
-static int textbook_shows(const void *job, Range range, const void *answers, int mistake)
-{
-    return sphere_shows(((const Job05 *)job)->textbook, ORACLE_TEXTBOOK, range, answers,
-                        &root_mistakes_05[mistake]);
-}
-
-static int projection_shows(const void *job, Range range, const void *answers, int mistake)
-{
-    return sphere_shows(((const Job05 *)job)->projection, ORACLE_PROJECTION, range, answers,
-                        &root_mistakes_05[mistake]);
-}
-
-static char *describe_sphere(const SphereRayJob *job, OracleForm form, float found)
-{
+    GIVEN;
+    const SphereRayJob *sphere = &inputs->spheres[i];
     return message_new("sphere at %s, ray from %s along %s, t_min %g: found %.9g, expected %.9g",
-                       words_sphere(job->sphere).text, words_vec3(job->origin, 6).text,
-                       words_vec3(job->direction, 7).text, job->t_min, found,
-                       expected_hit(job, form, &right).t);
+                       words_sphere(sphere->sphere).text, words_vec3(sphere->origin, 6).text,
+                       words_vec3(sphere->direction, 7).text, in.t_min, found,
+                       in.disc < 0 && !in.is_touch ? (double)INFINITY : HIT);
 }
 
-static char *describe_textbook(const void *job, int i, const void *answers)
-{
-    return describe_sphere(&((const Job05 *)job)->textbook[i], ORACLE_TEXTBOOK,
-                           ((const float *)answers)[i]);
-}
-
-static char *describe_projection(const void *job, int i, const void *answers)
-{
-    return describe_sphere(&((const Job05 *)job)->projection[i], ORACLE_PROJECTION,
-                           ((const float *)answers)[i]);
-}
-
+const Function nearest_root_05 = {"roots", 3 * N_ROOTS, sizeof(float),
+                                  KNOWING(is_right_root, describe_root, known_of_root),
+                                  .inputs = offsetof(Job05, of_root)};
 const Function textbook_05 = {"textbook", 2 * N_SPHERES, sizeof(float),
-                              COMPARED(textbook_agrees, describe_textbook, root_mistakes_05),
-                              .shows = textbook_shows};
+                              KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
+                              .inputs = offsetof(Job05, of_textbook)};
 const Function projection_05 = {"projection", 3 * N_SPHERES, sizeof(float),
-                                COMPARED(projection_agrees, describe_projection, root_mistakes_05),
-                                .shows = projection_shows};
+                                KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
+                                .inputs = offsetof(Job05, of_sphere)};

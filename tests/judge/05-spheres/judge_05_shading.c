@@ -3,179 +3,326 @@
 
 #include "message.h"
 #include "oracle3d.h"
+#include "oracle3d_rounding.h"
 #include "words.h"
 
 static const OracleRules3D right = {0};
 
-// A known mistake, and what is said about it; number 0 is none.
-typedef struct RuleMistake {
-    Cause cause;
-    OracleRules3D rules;
-    int is_partly;  // other answers are right
-    int vanishes;   // the normal of a tangent; other answers are right
-} RuleMistake;
+// ---- surface_normal: right ----------------------------------------------------------------------
 
-// ---- surface_normal -----------------------------------------------------------------------------
+static OracleNear normal_of(const NormalJob *in)
+{
+    return oracle3d_normal(in->sphere, oracle3d_exactly(in->point), oracle3d_exactly(in->direction),
+                           &right);
+}
 
-static const RuleMistake normal_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "it is not a unit vector"}, .rules = {.normal_not_normalised = 1}},
-    {{.says = "it is not a unit vector, and points away from the eye"},
-     .rules = {.normal_not_normalised = 1, .normal_not_turned = 1}},
-    {{.says = "seen from inside it must be turned, towards the eye"},
-     .rules = {.normal_not_turned = 1}},
-    {{.says = "it points to the centre, not away from it"}, .rules = {.normal_always_turned = 1}},
-    {{.says = "it points away from where the ray comes from"}, .rules = {.normal_turned_away = 1}},
-    {{.says = "it must be turned where the dot product is positive, however small"},
-     .rules = {.normal_threshold = 0x1p-5}},
-    {{.says = "it must not be turned where the dot product is negative, however small"},
-     .rules = {.normal_threshold = -0x1p-5}},
-    {{.says = "it must be turned where the dot product is positive, however small"},
-     .rules = {.normal_threshold = 0x1p-30}},
-    {{.says = "it must not be turned where the dot product is negative, however small"},
-     .rules = {.normal_threshold = -0x1p-30}},
-    {{.says = "the radius' sign turned it: the dot product with the direction decides"},
-     .rules = {.normal_turned_by_radius = 1}},
-    {{.says = "the point's place in the scene turned it: the normal's dot product decides"},
-     .rules = {.normal_turned_by_place = 1}},
-    {{.says = "it was divided by the radius: where float rounds the point, that is not how far the "
-              "centre is, and the normal is no unit vector"},
-     .rules = {.normal_by_radius = 1}},
-    {{.says = "other normals are right, but a short vector must be made a unit vector, too"},
-     .rules = {.normal_not_normalised = 1},
-     .is_partly = 1},
-    {{.says = "other normals are right, but where the ray is a tangent the dot product is 0, and "
-              "the normal was multiplied by it"},
-     .vanishes = 1},
+static OracleVector outwards(const NormalJob *in)
+{
+    return vector_minus(vector_of(in->point), centre_of(in->sphere));
+}
+
+static double along_ray(const NormalJob *in, OracleVector v)
+{
+    return vector_dot(v, vector_of(in->direction));
+}
+
+#define GIVEN                                                                                      \
+    const NormalJob *in = &((const Job05 *)job)->normals[i];                                       \
+    const Vec3 found = ((const Vec3 *)answers)[i]
+#define IS_FOUND(vector) is_normal(in, vector, found)
+
+// Where the dot product is 0, to the bit, the ray comes from neither side, and either is right.
+static int is_normal(const NormalJob *in, OracleVector vector, Vec3 found)
+{
+    const OracleNear near = {vector, normal_of(in).error};
+    return oracle3d_is_near(found, near) ||
+           (along_ray(in, outwards(in)) == 0 && oracle3d_is_near(vec3_scaled(found, -1), near));
+}
+
+#define NORMAL normal_of(in).value
+
+RIGHT(is_right_normal, IS_FOUND(NORMAL))
+
+// ---- surface_normal: mistakes -------------------------------------------------------------------
+
+#define OUTWARDS vector_unit(outwards(in))
+#define DISTANCE vector_length(outwards(in))
+
+static OracleVector turned(int is_turned, OracleVector v)
+{
+    return is_turned ? vector_scaled(-1, v) : v;
+}
+
+ANSWERS(long_normal, vector_scaled(DISTANCE, NORMAL), "it is not a unit vector")
+ANSWERS(long_outwards, outwards(in), "it is not a unit vector, and points away from the eye")
+ANSWERS(not_turned, OUTWARDS, "seen from inside it must be turned, towards the eye")
+ANSWERS(inwards, turned(1, OUTWARDS), "it points to the centre, not away from it")
+ANSWERS(turned_away, turned(1, NORMAL), "it points away from where the ray comes from")
+
+// Turned from a cosine on that is not 0, but less than all rolled ones, or than all but the least.
+#define TURNED_BEYOND(cosine) turned(along_ray(in, OUTWARDS) > (cosine), OUTWARDS)
+#define TURNED_LATE "it must be turned where the dot product is positive, however small"
+#define TURNED_EARLY "it must not be turned where the dot product is negative, however small"
+
+ANSWERS(turned_late, TURNED_BEYOND(0x1p-5), TURNED_LATE)
+ANSWERS(turned_early, TURNED_BEYOND(-0x1p-5), TURNED_EARLY)
+ANSWERS(late_by_hair, TURNED_BEYOND(0x1p-30), TURNED_LATE)
+ANSWERS(early_by_hair, TURNED_BEYOND(-0x1p-30), TURNED_EARLY)
+
+ANSWERS(turned_by_radius, turned(in->sphere.radius < 0, OUTWARDS),
+        "the radius' sign turned it: the dot product with the direction decides")
+ANSWERS(turned_by_place, turned(along_ray(in, vector_of(in->point)) > 0, OUTWARDS),
+        "the point's place in the scene turned it: the normal's dot product decides")
+ANSWERS(by_radius, vector_scaled(DISTANCE / fabs(in->sphere.radius), NORMAL),
+        "it was divided by the radius: where float rounds the point, that is not how far the "
+        "centre is, and the normal is no unit vector")
+ONLY(short_kept, IS_FOUND(vector_scaled(DISTANCE, NORMAL)),
+     "other normals are right, but a short vector must be made a unit vector, too")
+ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
+     "other normals are right, but where the ray is a tangent the dot product is 0, and the normal "
+     "was multiplied by it")
+
+static const Known *const known_normals[] = {
+    &long_normal,     &long_outwards, &not_turned,   &inwards,       &turned_away,
+    &turned_late,     &turned_early,  &late_by_hair, &early_by_hair, &turned_by_radius,
+    &turned_by_place, &by_radius,     &short_kept,   &vanishes,
 };
 
-static OracleNear expected_normal(const void *pointer, int i, const OracleRules3D *rules)
+static char *describe_normal(const void *job, int i, const void *answers)
 {
-    const NormalJob *job = &((const Job05 *)pointer)->normals[i];
-    return oracle3d_normal(job->sphere, oracle3d_exactly(job->point),
-                           oracle3d_exactly(job->direction), rules);
-}
-
-// Is the dot product 0, to the bit? Then the ray comes from neither side, and either is right.
-static int is_tangent(const NormalJob *job)
-{
-    const OracleVector centre = {job->sphere.x, job->sphere.y, job->sphere.z};
-    return vector_dot(vector_minus(vector_of(job->point), centre), vector_of(job->direction)) == 0;
-}
-
-static int normal_agrees(const void *pointer, int i, const void *answers, int mistake)
-{
-    const NormalJob *job = &((const Job05 *)pointer)->normals[i];
-    const Vec3 found = ((const Vec3 *)answers)[i];
-    const RuleMistake *known = &normal_mistakes[mistake];
-    if (known->vanishes && is_tangent(job)) {
-        return vec3_length(found) == 0;
-    }
-    const OracleNear expected = expected_normal(pointer, i, &known->rules);
-    if (is_tangent(job) && oracle3d_is_near(vec3_scaled(found, -1), expected)) {
-        return 1;
-    }
-    return oracle3d_is_near(found, expected) ||
-           (known->is_partly && oracle3d_is_near(found, expected_normal(pointer, i, &right)));
-}
-
-static char *describe_normal(const void *pointer, int i, const void *answers)
-{
-    const NormalJob *job = &((const Job05 *)pointer)->normals[i];
-    const OracleVector e = expected_normal(pointer, i, &right).value;
+    GIVEN;
     return message_new("sphere at %s, point %s, direction %s: found %s, expected %s",
-                       words_sphere(job->sphere).text, words_vec3(job->point, 6).text,
-                       words_vec3(job->direction, 6).text,
-                       words_vec3(((const Vec3 *)answers)[i], 5).text,
-                       words_xyz(e.x, e.y, e.z, 5).text);
+                       words_sphere(in->sphere).text, words_vec3(in->point, 6).text,
+                       words_vec3(in->direction, 6).text, words_vec3(found, 5).text,
+                       words_xyz(NORMAL.x, NORMAL.y, NORMAL.z, 5).text);
 }
 
 const Function normal_05 = {"normals", 2 * N_NORMALS, sizeof(Vec3),
-                            COMPARED(normal_agrees, describe_normal, normal_mistakes)};
+                            KNOWING(is_right_normal, describe_normal, known_normals)};
+#undef GIVEN
+#undef IS_FOUND
 
-// ---- shade --------------------------------------------------------------------------------------
+// ---- shade: right -------------------------------------------------------------------------------
 
-static const RuleMistake shade_mistakes[] = {
-    {.cause = {0}},
-    {{.says = "a light behind the surface takes light away: a negative cosine counts as 0"},
-     .rules = {.cosine_not_clamped = 1}},
-    {{.says = "a light behind the surface lights it: a negative cosine counts as 0"},
-     .rules = {.cosine_absolute = 1}},
-    {{.says = "the way to the light is not made a unit vector"},
-     .rules = {.to_light_not_normalised = 1}},
-    {{.says = "that is the first light's share only"}, .rules = {.first_light_only = 1}},
-    {{.says = "that is the last light's share only"}, .rules = {.last_light_only = 1}},
-    {{.says = "one light too many shines, the one behind the end of the array"},
-     .rules = {.one_light_more = 1}},
-    {{.says = "that is the first 4 lights' share only"}, .rules = {.most_lights = 4}},
-    {{.says = "that is the first 8 lights' share only"}, .rules = {.most_lights = 8}},
-    {{.says = "that is the first 16 lights' share only"}, .rules = {.most_lights = 16}},
-    {{.says = "that is the first 32 lights' share only"}, .rules = {.most_lights = 32}},
-    {{.says = "that is the first 64 lights' share only"}, .rules = {.most_lights = 64}},
-    {{.says = "that is the first 128 lights' share only"}, .rules = {.most_lights = 128}},
-    {{.says = "that is the first 256 lights' share only"}, .rules = {.most_lights = 256}},
-    {{.says = "the sum was cut at 1, but many lights may be brighter"}, .rules = {.cut_at_one = 1}},
-    {{.says = "each light was cut at 1, but a light may be brighter"},
-     .rules = {.light_cut_at_one = 1}},
-    {{.says = "the first light behind the surface ended the loop: those after it shine, too"},
-     .rules = {.stops_behind = 1}},
-    {{.says = "a light behind the surface takes light away: each negative cosine counts as 0, not "
-              "only a negative sum"},
-     .rules = {.sum_clamped = 1}},
-    {{.says = "that is the brightest light's share only: the colour is the sum"},
-     .rules = {.brightest_light = 1}},
-    {{.says = "the sum was divided by the number of lights"}, .rules = {.mean_of_lights = 1}},
-    {{.says = "the sum so far is multiplied by kd with each light"}, .rules = {.kd_each_round = 1}},
-    {{.says = "the light's place was taken for the way to it: that begins at the point"},
-     .rules = {.light_from_origin = 1}},
-    {{.says = "the light falls with the square of the distance, and must not"},
-     .rules = {.light_falls = 1}},
-    {{.says = "the light's red was taken for its whole colour"}, .rules = {.light_red_only = 1}},
-    {{.says = "a highlight was added, with ks: Lambert's law has none"}, .rules = {.highlight = 1}},
-    {{.says = "kd is missing"}, .rules = {.ignore_kd = 1}},
-    {{.says = "the material's colour is missing"}, .rules = {.ignore_color = 1}},
-    {{.says = "the light's colour is missing"}, .rules = {.ignore_light_color = 1}},
-    {{"that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED},
-     .rules = {.red_blue_swapped = 1}},
-    {{"that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
-      MISTAKE_GAMMA},
-     .rules = {.gamma = 1 / 2.2}},
-    {{"that is right but for gamma: the colour was raised to 2.2, but it is linear here",
-      MISTAKE_GAMMA},
-     .rules = {.gamma = 2.2}},
+#define GIVEN                                                                                      \
+    const ShadeJob in = ((const Job05 *)job)->shades[i];                                           \
+    const Light *lights = ((const Job05 *)job)->lights + in.first_light;                           \
+    const Vec3 found = ((const Vec3 *)answers)[i];                                                 \
+    (void)lights
+#define IS_FOUND(color) oracle3d_is_near(found, color)
+
+static OracleNear shaded(ShadeJob in, const Light *lights)
+{
+    return oracle3d_shade(oracle3d_exactly(in.point), oracle3d_exactly(in.normal), &in.material,
+                          lights, in.n_lights, &right);
+}
+
+#define SHADED shaded(in, lights)
+
+RIGHT(is_right_shade, IS_FOUND(SHADED))
+
+// ---- shade: mistakes ----------------------------------------------------------------------------
+
+// Of a negative cosine. What lights behind the surface would add is what they add from behind.
+static OracleNear with_behind(ShadeJob in, const Light *lights, double factor)
+{
+    const OracleNear before = shaded(in, lights);
+    in.normal = vec3_scaled(in.normal, -1);
+    const OracleNear behind = shaded(in, lights);
+    return (OracleNear){vector_plus(before.value, vector_scaled(factor, behind.value)),
+                        before.error + behind.error};
+}
+
+static OracleNear not_below_0(OracleNear color)
+{
+    const OracleVector c = color.value;
+    return (OracleNear){{fmax(c.x, 0), fmax(c.y, 0), fmax(c.z, 0)}, color.error};
+}
+
+ANSWERS(not_clamped, with_behind(in, lights, -1),
+        "a light behind the surface takes light away: a negative cosine counts as 0")
+ANSWERS(lit_behind, with_behind(in, lights, 1),
+        "a light behind the surface lights it: a negative cosine counts as 0")
+ANSWERS(sum_clamped, not_below_0(with_behind(in, lights, -1)),
+        "a light behind the surface takes light away: each negative cosine counts as 0, not only a "
+        "negative sum")
+
+// Of the number of lights.
+static ShadeJob lit_by(ShadeJob in, int n_lights)
+{
+    in.n_lights = n_lights;
+    return in;
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int n_before_one_behind(ShadeJob in, const Light *lights)
+{
+    int n = 0;
+    while (n < in.n_lights && vec3_dot(in.normal, vec3_minus(lights[n].position, in.point)) > 0) {
+        n++;
+    }
+    return n;
+}
+
+#define FIRST_LIGHTS(n) shaded(lit_by(in, least(in.n_lights, n)), lights)
+#define FIRST_ONLY(n)                                                                              \
+    ANSWERS(first_##n, FIRST_LIGHTS(n), "that is the first " #n " lights' share only")
+
+ANSWERS(first_only, FIRST_LIGHTS(1), "that is the first light's share only")
+FIRST_ONLY(4)
+FIRST_ONLY(8)
+FIRST_ONLY(16)
+FIRST_ONLY(32)
+FIRST_ONLY(64)
+FIRST_ONLY(128)
+FIRST_ONLY(256)
+ANSWERS(last_only, in.n_lights < 2 ? SHADED : shaded(lit_by(in, 1), lights + in.n_lights - 1),
+        "that is the last light's share only")
+ANSWERS(one_more, shaded(lit_by(in, in.n_lights + 1), lights),
+        "one light too many shines, the one behind the end of the array")
+ANSWERS(stops_behind, FIRST_LIGHTS(n_before_one_behind(in, lights)),
+        "the first light behind the surface ended the loop: those after it shine, too")
+
+// Of what is given.
+static ShadeJob changed(ShadeJob in, Vec3 point, float kd, Vec3 color)
+{
+    in.point = point;
+    in.material.kd = kd;
+    in.material.color = color;
+    return in;
+}
+
+#define COLOR in.material.color
+static const Vec3 zero = {0, 0, 0}, white = {1, 1, 1};
+
+ANSWERS(from_origin, shaded(changed(in, zero, in.material.kd, COLOR), lights),
+        "the light's place was taken for the way to it: that begins at the point")
+ANSWERS(kd_missing, shaded(changed(in, in.point, 1, COLOR), lights), "kd is missing")
+ANSWERS(color_missing, shaded(changed(in, in.point, in.material.kd, white), lights),
+        "the material's colour is missing")
+
+// Of each light's colour: with another one.
+typedef Vec3 LightColor(const ShadeJob *in, Light light, int i);
+
+static OracleNear relit(const ShadeJob *in, const Light *lights, LightColor *color)
+{
+    Light others[N_LIGHTS];
+    for (int i = 0; i < in->n_lights; i++) {
+        others[i] = (Light){lights[i].position, color(in, lights[i], i)};
+    }
+    return shaded(*in, others);
+}
+
+#define RELIT(name, color, sentence)                                                               \
+    static Vec3 name##_color(const ShadeJob *in, Light light, int i)                               \
+    {                                                                                              \
+        (void)in, (void)light, (void)i;                                                            \
+        return color;                                                                              \
+    }                                                                                              \
+    ANSWERS(name, relit(&in, lights, name##_color), sentence)
+#define WAY vec3_length(vec3_minus(light.position, in->point))
+
+RELIT(way_not_unit, vec3_scaled(light.color, WAY), "the way to the light is not made a unit vector")
+RELIT(falls, vec3_scaled(light.color, 1 / (WAY * WAY)),
+      "the light falls with the square of the distance, and must not")
+RELIT(no_light_color, white, "the light's colour is missing")
+RELIT(light_red_only, ((Vec3){light.color.x, light.color.x, light.color.x}),
+      "the light's red was taken for its whole colour")
+RELIT(light_cut_at_1,
+      ((Vec3){fminf(light.color.x, 1), fminf(light.color.y, 1), fminf(light.color.z, 1)}),
+      "each light was cut at 1, but a light may be brighter")
+RELIT(kd_each_time, vec3_scaled(light.color, powf(in->material.kd, (float)(in->n_lights - 1 - i))),
+      "the sum so far is multiplied by kd with each light")
+
+// Of the sum.
+static OracleNear brightest(ShadeJob in, const Light *lights)
+{
+    OracleNear most = {{0}, 0};
+    for (int i = 0; i < in.n_lights; i++) {
+        const OracleNear share = shaded(lit_by(in, 1), lights + i);
+        most.value =
+            (OracleVector){fmax(most.value.x, share.value.x), fmax(most.value.y, share.value.y),
+                           fmax(most.value.z, share.value.z)};
+        most.error = fmax(most.error, share.error);
+    }
+    return most;
+}
+
+// Of a cosine that is raised to a power, and its error with it.
+#define HIGHLIGHT_ERROR 0x1p-14
+
+static OracleNear highlighted(ShadeJob in, const Light *lights)
+{
+    OracleNear sum = shaded(in, lights);
+    for (int i = 0; i < in.n_lights; i++) {
+        const OracleVector way =
+            vector_unit(vector_minus(vector_of(lights[i].position), vector_of(in.point)));
+        const double cosine = fmax(vector_dot(vector_of(in.normal), way), 0);
+        const double phong = in.material.ks * pow(cosine, fmax(in.material.shine, 1));
+        sum.value = vector_plus(sum.value, vector_scaled(phong, vector_of(lights[i].color)));
+        sum.error += HIGHLIGHT_ERROR * in.material.ks;
+    }
+    return sum;
+}
+
+// Raised to a power, and how far that may be off.
+static OracleNear bent(OracleNear color, double power)
+{
+    const double channels[3] = {color.value.x, color.value.y, color.value.z};
+    double value[3], error = 0;
+    for (int i = 0; i < 3; i++) {
+        value[i] = pow(fmax(channels[i], 0), power);
+        const double low = pow(fmax(channels[i] - color.error, 0), power);
+        const double high = pow(fmax(channels[i] + color.error, 0), power);
+        error = fmax(error, fmax(high - value[i], value[i] - low) + POW_ERROR * value[i]);
+    }
+    return (OracleNear){{value[0], value[1], value[2]}, error};
+}
+
+#define SUM SHADED.value
+
+ANSWERS(brightest_only, brightest(in, lights),
+        "that is the brightest light's share only: the colour is the sum")
+EACH(mean,
+     in.n_lights == 0 ||
+         IS_FOUND(((OracleNear){vector_scaled(1.0 / in.n_lights, SUM), SHADED.error})),
+     "the sum was divided by the number of lights")
+ANSWERS(cut_at_1, ((OracleNear){{fmin(SUM.x, 1), fmin(SUM.y, 1), fmin(SUM.z, 1)}, SHADED.error}),
+        "the sum was cut at 1, but many lights may be brighter")
+ANSWERS(highlight, highlighted(in, lights),
+        "a highlight was added, with ks: Lambert's law has none")
+ANSWERS(swapped, ((OracleNear){{SUM.z, SUM.y, SUM.x}, SHADED.error}),
+        "that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED)
+ANSWERS(encoded, bent(SHADED, 1 / 2.2),
+        "that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+        MISTAKE_GAMMA)
+ANSWERS(decoded, bent(SHADED, 2.2),
+        "that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+        MISTAKE_GAMMA)
+
+static const Known *const known_shades[] = {
+    &not_clamped,    &lit_behind,     &sum_clamped,  &first_only,     &first_4,
+    &first_8,        &first_16,       &first_32,     &first_64,       &first_128,
+    &first_256,      &last_only,      &one_more,     &stops_behind,   &from_origin,
+    &kd_missing,     &color_missing,  &way_not_unit, &falls,          &no_light_color,
+    &light_red_only, &light_cut_at_1, &kd_each_time, &brightest_only, &mean,
+    &cut_at_1,       &highlight,      &swapped,      &encoded,        &decoded,
 };
 
-static OracleNear expected_shade(const void *pointer, int i, const OracleRules3D *rules)
+static char *describe_shade(const void *job, int i, const void *answers)
 {
-    const Job05 *job = pointer;
-    const ShadeJob *in = &job->shades[i];
-    return oracle3d_shade(oracle3d_exactly(in->point), oracle3d_exactly(in->normal), &in->material,
-                          job->lights + in->first_light, in->n_lights, rules);
-}
-
-static int shade_agrees(const void *job, int i, const void *answers, int mistake)
-{
-    if (shade_mistakes[mistake].rules.mean_of_lights &&
-        ((const Job05 *)job)->shades[i].n_lights == 0) {
-        return 1;  // 0 / 0, or kept from it
-    }
-    return oracle3d_is_near(((const Vec3 *)answers)[i],
-                            expected_shade(job, i, &shade_mistakes[mistake].rules));
-}
-
-static char *describe_shade(const void *pointer, int i, const void *answers)
-{
-    const Job05 *job = pointer;
-    const ShadeJob *in = &job->shades[i];
-    const OracleVector e = expected_shade(job, i, &right).value;
-    const Vec3 first = job->lights[in->first_light].position;
-    return message_new(
-        "point %s, normal %s, kd %g, %d light%s%s%s: found %s, expected %s",
-        words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->material.kd,
-        in->n_lights, plural((unsigned)in->n_lights), in->n_lights > 0 ? ", the first at " : "",
-        in->n_lights > 0 ? words_vec3(first, 6).text : "",
-        words_vec3(((const Vec3 *)answers)[i], 5).text, words_xyz(e.x, e.y, e.z, 5).text);
+    GIVEN;
+    return message_new("point %s, normal %s, kd %g, %d light%s%s%s: found %s, expected %s",
+                       words_vec3(in.point, 6).text, words_vec3(in.normal, 6).text, in.material.kd,
+                       in.n_lights, plural((unsigned)in.n_lights),
+                       in.n_lights > 0 ? ", the first at " : "",
+                       in.n_lights > 0 ? words_vec3(lights[0].position, 6).text : "",
+                       words_vec3(found, 5).text, words_xyz(SUM.x, SUM.y, SUM.z, 5).text);
 }
 
 const Function shade_05 = {"shades", 3 * N_SHADES, sizeof(Vec3),
-                           COMPARED(shade_agrees, describe_shade, shade_mistakes)};
+                           KNOWING(is_right_shade, describe_shade, known_shades)};

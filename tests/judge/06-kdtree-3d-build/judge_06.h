@@ -36,9 +36,6 @@ void job_06_release(void *job);
 extern const Function split_axis_06, split_middle_06, overlap_06, pack_node_06, pack_ids_06,
     fits_06;
 
-// The diagnosis with this for its cause; as it is where `says` is NULL. Takes it over.
-Diagnosis explained_06(Diagnosis wrong, const char *says);
-
 // One answer alone.
 extern const Replay replay_split_06, replay_overlap_06;
 int write_alone_06(const void *job, const char *task, FILE *file);

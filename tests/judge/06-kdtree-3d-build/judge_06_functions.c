@@ -3,166 +3,119 @@
 #include "judge_06.h"
 
 #include "message.h"
-#include "overlap_cause.h"
+#include "overlap_reach.h"
 #include "words.h"
 
 #include <float.h>
-#include <math.h>
+#include <stdlib.h>
+
+static char *facts_of(Diagnosis wrong)
+{
+    free(wrong.cause);
+    return wrong.found;
+}
 
 // ---- choose_split -------------------------------------------------------------------------------
 
-// What an answer with a mistake returns for a cell; the position is on the axis that it chose.
-typedef u32 MistakenAxis(BBox3D cell);
-typedef double MistakenMiddle(BBox3D cell, u32 axis);
+#define GIVEN                                                                                      \
+    const BBox3D in = ((const Job06 *)job)->splits[i];                                             \
+    const SplitAnswer3D found = ((const SplitAnswer3D *)answers)[i]
+#define IS_FOUND(expected) (found.axis == (expected))
 
-static u32 axis_by_whole_numbers(BBox3D cell)
+static char *describe_axis(const void *job, int i, const void *answers)
 {
-    u32 longest = 0;
-    for (u32 axis = 1; axis < 3; axis++) {
-        if ((int)(cell.max[axis] - cell.min[axis]) > (int)(cell.max[longest] - cell.min[longest])) {
-            longest = axis;
-        }
-    }
-    return longest;
+    GIVEN;
+    return facts_of(tree3d_judge_axis("choose_split", in, found.axis));
 }
 
-static u32 axis_by_largest(BBox3D cell)
-{
-    const u32 first = cell.max[1] > cell.max[0] ? 1 : 0;
-    return cell.max[2] > cell.max[first] ? 2 : first;
-}
+RIGHT(is_longest, facts_are_none(describe_axis(job, i, answers)))
 
-static double side_length(BBox3D cell, u32 axis)
-{
-    return (double)cell.max[axis] - cell.min[axis];
-}
-
-// The last one that is longer than x.
-static u32 axis_beside_x(BBox3D cell)
-{
-    return side_length(cell, 2) > side_length(cell, 0)   ? 2
-           : side_length(cell, 1) > side_length(cell, 0) ? 1
-                                                         : 0;
-}
-
-// Each compared with the one before it only.
-static u32 axis_beside_last(BBox3D cell)
-{
-    return side_length(cell, 2) > side_length(cell, 1)   ? 2
-           : side_length(cell, 1) > side_length(cell, 0) ? 1
-                                                         : 0;
-}
-
+#define LENGTH(axis) ((double)in.max[axis] - in.min[axis])
+#define OWN_LENGTH LENGTH(found.axis)
+#define LONGEST fmax(LENGTH(0), fmax(LENGTH(1), LENGTH(2)))
+#define SHORTEST fmin(LENGTH(0), fmin(LENGTH(1), LENGTH(2)))
+#define AXIS_OF_LARGEST(x, y, z) ((z) > fmax(x, y) ? 2u : (y) > (x) ? 1u : 0u)
 #define NOT_THE_LONGEST                                                                            \
     "each side was compared with one other only: the longest so far has to be remembered"
 
-static const struct {
-    MistakenAxis *axis;
-    const char *says;
-} axis_mistakes[] = {
-    {axis_beside_x, NOT_THE_LONGEST},
-    {axis_beside_last, NOT_THE_LONGEST},
-    {axis_by_whole_numbers, "the sides were compared as whole numbers"},
-    {axis_by_largest, "that is the axis of the largest coordinate, not of the longest side"},
+ANSWERS(beside_x, LENGTH(2) > LENGTH(0) ? 2u : LENGTH(1) > LENGTH(0) ? 1u : 0u, NOT_THE_LONGEST)
+ANSWERS(beside_last, LENGTH(2) > LENGTH(1) ? 2u : LENGTH(1) > LENGTH(0) ? 1u : 0u, NOT_THE_LONGEST)
+ANSWERS(whole_lengths, AXIS_OF_LARGEST(trunc(LENGTH(0)), trunc(LENGTH(1)), trunc(LENGTH(2))),
+        "the sides were compared as whole numbers")
+ANSWERS(largest, AXIS_OF_LARGEST(in.max[0], in.max[1], in.max[2]),
+        "that is the axis of the largest coordinate, not of the longest side")
+ANSWERS(always_x, 0u, "x was split every time: the longest side is to be split")
+ANSWERS(never_z, LENGTH(1) > LENGTH(0) ? 1u : 0u, "z was never split, and a cell has three sides")
+ONLY(no_axis, found.axis >= 3, "there are axes 0, 1 and 2")
+ONLY(equal, found.axis < 3 && OWN_LENGTH == LONGEST, "of equal sides the first counts")
+ONLY(nearly_equal, found.axis < 3 && LONGEST - OWN_LENGTH < LONGEST / 1024,
+     "these sides are not equal, if nearly, and the longest is split")
+ONLY(shortest, found.axis < 3 && OWN_LENGTH == SHORTEST, "that side is the shortest")
+
+static const Known *const known_of_axis[] = {
+    &beside_x, &beside_last, &whole_lengths, &largest,      &always_x,
+    &never_z,  &no_axis,     &equal,         &nearly_equal, &shortest,
 };
 
-static double middle_in_whole_numbers(BBox3D cell, u32 axis)
-{
-    return floor(((double)cell.min[axis] + cell.max[axis]) / 2);
-}
-
-static double middle_of_x(BBox3D cell, u32 axis)
-{
-    (void)axis;
-    return ((double)cell.min[0] + cell.max[0]) / 2;
-}
-
-static double sum_of_ends(BBox3D cell, u32 axis)
-{
-    return (double)cell.min[axis] + cell.max[axis];
-}
-
-static double zero_for_a_point(BBox3D cell, u32 axis)
-{
-    return cell.max[axis] > cell.min[axis] ? ((double)cell.min[axis] + cell.max[axis]) / 2 : 0;
-}
-
-static const struct {
-    MistakenMiddle *middle;
-    const char *says;
-} middle_mistakes[] = {
-    {zero_for_a_point, "other cells are right, but one of no length has its middle where it lies, "
-                       "too"},
-    {middle_in_whole_numbers, "the middle was rounded to a whole number"},
-    {middle_of_x, "the position is the middle of x, whatever the axis"},
-    {sum_of_ends, "the sum of both ends is to be halved"},
-};
-
-// The mistake that explains all answers, or NULL.
-static const char *axes_look(const Job06 *job, const SplitAnswer3D *found)
-{
-    for (int m = 0; m < COUNT(axis_mistakes); m++) {
-        int i = 0;
-        while (i < N_SPLITS && found[i].axis == axis_mistakes[m].axis(job->splits[i])) {
-            i++;
-        }
-        if (i == N_SPLITS) {
-            return axis_mistakes[m].says;
-        }
-    }
-    return NULL;
-}
-
-static const char *middles_look(const Job06 *job, const SplitAnswer3D *found)
-{
-    for (int m = 0; m < COUNT(middle_mistakes); m++) {
-        int i = 0;
-        while (i < N_SPLITS && found[i].axis < 3 &&
-               fabs(found[i].pos - middle_mistakes[m].middle(job->splits[i], found[i].axis)) <=
-                   FLT_EPSILON * 4096) {
-            i++;
-        }
-        if (i == N_SPLITS) {
-            return middle_mistakes[m].says;
-        }
-    }
-    return NULL;
-}
-
-static Diagnosis split_axis_fault(const void *job, int i, const void *answers)
-{
-    const SplitAnswer3D *found = answers;
-    const Diagnosis wrong =
-        tree3d_judge_axis("choose_split", ((const Job06 *)job)->splits[i], found[i].axis);
-    return explained_06(wrong, wrong.found != NULL ? axes_look(job, found) : NULL);
-}
+const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
+                                KNOWING(is_longest, describe_axis, known_of_axis)};
+#undef IS_FOUND
 
 // Where along the side that the student has chosen. An axis that is none is the other check's
 // matter.
-static Diagnosis split_middle_fault(const void *job, int i, const void *answers)
+#define OWN_AXIS (found.axis < 3 ? found.axis : 0)
+#define LOW_END ((double)in.min[OWN_AXIS])
+#define HIGH_END ((double)in.max[OWN_AXIS])
+#define IS_FOUND(at) (fabs(found.pos - (at)) <= FLT_EPSILON * 4096)
+
+static char *describe_middle(const void *job, int i, const void *answers)
 {
-    const SplitAnswer3D *found = answers;
-    const Diagnosis wrong =
-        tree3d_judge_middle("choose_split", ((const Job06 *)job)->splits[i],
-                            found[i].axis < 3 ? found[i].axis : 0, found[i].pos);
-    return explained_06(wrong, wrong.found != NULL ? middles_look(job, found) : NULL);
+    GIVEN;
+    return facts_of(tree3d_judge_middle("choose_split", in, OWN_AXIS, found.pos));
 }
 
-const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
-                                .fault = split_axis_fault};
+RIGHT(is_middle, facts_are_none(describe_middle(job, i, answers)))
+
+ANSWERS(zero_for_a_point, HIGH_END > LOW_END ? (LOW_END + HIGH_END) / 2 : 0,
+        "other cells are right, but one of no length has its middle where it lies, too")
+ANSWERS(whole_middle, floor((LOW_END + HIGH_END) / 2), "the middle was rounded to a whole number")
+ANSWERS(middle_of_x, ((double)in.min[0] + in.max[0]) / 2,
+        "the position is the middle of x, whatever the axis")
+ANSWERS(sum_of_ends, LOW_END + HIGH_END, "the sum of both ends is to be halved")
+ANSWERS(half_length, (HIGH_END - LOW_END) / 2, "that is half the length, as if the cell began at 0")
+
+static const Known *const known_of_middle[] = {&zero_for_a_point, &whole_middle, &middle_of_x,
+                                               &sum_of_ends, &half_length};
+
 const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
-                                  .fault = split_middle_fault};
+                                  KNOWING(is_middle, describe_middle, known_of_middle)};
+#undef GIVEN
+#undef IS_FOUND
 
 // ---- sphere_overlaps_box ------------------------------------------------------------------------
 
-// As overlap_cause.h has it.
-static Reach reach_of(const void *job, int i)
+static Reach reach_of(SphereBoxJob in)
 {
-    const SphereBoxJob in = ((const Job06 *)job)->overlaps[i];
     return (Reach){{outside_of(in.sphere.x, in.box.min[0], in.box.max[0]),
                     outside_of(in.sphere.y, in.box.min[1], in.box.max[1]),
                     outside_of(in.sphere.z, in.box.min[2], in.box.max[2])},
                    in.sphere.radius};
+}
+
+#define GIVEN                                                                                      \
+    const SphereBoxJob in = ((const Job06 *)job)->overlaps[i];                                     \
+    const Reach reach = reach_of(in);                                                              \
+    const int found = ((const i32 *)answers)[i];                                                   \
+    (void)reach
+#define IS_FOUND(expected) ((found != 0) == (expected))
+
+#include "overlap_known.h"
+
+static int is_right_overlap(const void *job, int i, const void *answers)
+{
+    GIVEN;
+    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
+    return is == SPHERE_EITHER || IS_FOUND(is == SPHERE_INSIDE);
 }
 
 // How far the cell's nearer, or farther, end lies from the centre on an axis.
@@ -177,99 +130,79 @@ static double to_end(SphereBoxJob in, int axis, int is_farther)
 // Does the sphere hold the cell's nearest corner, or its farthest, and so all of it?
 static int holds_corner(SphereBoxJob in, int is_farthest)
 {
-    double distance2 = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        const double distance = to_end(in, axis, is_farthest);
-        distance2 += distance * distance;
-    }
-    return distance2 <= (double)in.sphere.radius * in.sphere.radius;
+    const double x = to_end(in, 0, is_farthest), y = to_end(in, 1, is_farthest),
+                 z = to_end(in, 2, is_farthest);
+    return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
 
-// What all wrong answers have in common that are "no", or NULL.
-static const char *misses_look(const Job06 *job, const i32 *found)
+ANSWERS(by_signed_root, sqrt(D2) <= RADIUS,
+        "a negative radius counts as its absolute value; and the root is rounded: compare squares")
+
+static double to_middle(double value, float min, float max)
 {
-    int n_held = 0, n_cornered = 0, n_centred = 0, n_wrong = 0;
-    for (int i = 0; i < N_OVERLAPS; i++) {
-        const SphereBoxJob in = job->overlaps[i];
-        const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-        if (is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)) {
-            continue;
-        }
-        const Reach reach = reach_of(job, i);
-        n_wrong++;
-        n_held += !found[i] && holds_corner(in, 1);
-        n_cornered += !found[i] && !holds_corner(in, 0);
-        n_centred +=
-            !found[i] && reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0;
-    }
-    return n_held == n_wrong
-               ? "a cell that lies within the sphere overlaps it, too: both have their insides"
-           : n_centred == n_wrong ? "a sphere whose centre is in the cell overlaps it"
-           : n_cornered == n_wrong
-               ? "what is missed holds no corner of the cell: a sphere may come in through a side "
-                 "or over an edge"
-               : NULL;
+    return value - ((double)min + max) / 2;
 }
 
-// What a wrong answer looks like.
-//   remark   out: what joins the facts, "" for nothing
-static Cause explain_overlap(const Job06 *job, int i, const i32 *found, const char **remark)
+static int holds_middle(SphereBoxJob in)
 {
-    const Cause cause = overlap_cause(reach_of, job, N_OVERLAPS, found);
-    const Reach reach = reach_of(job, i);
-    *remark = "";
-    if (cause.says != NULL) {
-        return cause;
-    }
-    if (found[i]) {
-        return (Cause){.says = overlap_is_of_box(reach_of, job, N_OVERLAPS, found)
-                                   ? "the sphere's bounding cube overlaps, the sphere does not"
-                                   : NULL};
-    }
-    const char *looks = misses_look(job, found);
-    if (looks != NULL) {
-        return (Cause){.says = looks};
-    }
-    *remark = reach.outside[0] == 0 && reach.outside[1] == 0 && reach.outside[2] == 0
-                  ? ", even its centre is inside"
-                  : ", its centre is outside but the sphere reaches in";
-    return (Cause){0};
+    const double x = to_middle(in.sphere.x, in.box.min[0], in.box.max[0]),
+                 y = to_middle(in.sphere.y, in.box.min[1], in.box.max[1]),
+                 z = to_middle(in.sphere.z, in.box.min[2], in.box.max[2]);
+    return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
 
-static Diagnosis overlap_fault(const void *pointer, int i, const void *answers)
+ANSWERS(by_middle, holds_middle(in),
+        "your answers are those of the cell's middle, and another point may be nearer")
+EACH(cube, IS_OF_BOX, "the sphere's bounding cube overlaps, the sphere does not")
+ONLY(cell_within, !found && holds_corner(in, 1),
+     "a cell that lies within the sphere overlaps it, too: both have their insides")
+ONLY(centre_within, !found && reach_furthest(reach) == 0,
+     "a sphere whose centre is in the cell overlaps it")
+ONLY(no_corner, !found && !holds_corner(in, 0),
+     "what is missed holds no corner of the cell: a sphere may come in through a side or over an "
+     "edge")
+ONLY(reaches_in, !found && reach_furthest(reach) > 0,
+     "its centre is outside but the sphere reaches in")
+
+static const Known *const known_of_overlap[] = {&by_signed_root, &by_middle,   &cube,
+                                                OVERLAP_KNOWN,   &cell_within, &centre_within,
+                                                &no_corner,      &reaches_in};
+
+static char *describe_overlap(const void *job, int i, const void *answers)
 {
-    const Job06 *job = pointer;
-    const SphereBoxJob in = job->overlaps[i];
-    const i32 *found = answers;
-    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-    if (is == SPHERE_EITHER || (found[i] != 0) == (is == SPHERE_INSIDE)) {
-        return NOTHING_WRONG;
-    }
-    const char *remark;
-    const Cause cause = explain_overlap(job, i, found, &remark);
-    return diagnosis_of(message_new("sphere at %s, box %s: found %d, expected %d%s",
-                                    words_sphere(in.sphere).text, words_box3d(in.box).text,
-                                    found[i], is == SPHERE_INSIDE, remark),
-                        cause);
+    GIVEN;
+    return message_new("sphere at %s, box %s: found %d, expected %d", words_sphere(in.sphere).text,
+                       words_box3d(in.box).text, found,
+                       tree3d_judge_sphere(in.sphere, in.box) == SPHERE_INSIDE);
 }
 
-const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32), .fault = overlap_fault};
+const Function overlap_06 = {
+    "overlaps",           N_OVERLAPS,
+    sizeof(i32),          KNOWING(is_right_overlap, describe_overlap, known_of_overlap),
+    .is_known_by_all = 1, .knows_constant = 1};
+#undef GIVEN
+#undef IS_FOUND
 
 // ---- fits_todo ----------------------------------------------------------------------------------
 
-static Diagnosis fits_fault(const void *job, int i, const void *answers)
+#define GIVEN                                                                                      \
+    const int in = i + 1;                                                                          \
+    const int found = ((const i32 *)answers)[i];                                                   \
+    (void)job
+
+RIGHT(is_right_level, (found != 0) == (in <= TODO_SIZE))
+
+static char *describe_level(const void *job, int i, const void *answers)
 {
-    const int level = i + 1, expected = level <= TODO_SIZE;
-    const i32 found = ((const i32 *)answers)[i];
-    (void)job;
-    return (found != 0) == expected
-               ? NOTHING_WRONG
-               : diagnosis_of(
-                     message_new("level %d: found %d, expected %d", level, found, expected),
-                     (Cause){.says = words("splitting there leaves up to %d nodes waiting, and "
-                                           "TODO_SIZE is %d",
-                                           level, TODO_SIZE)
-                                         .text});
+    GIVEN;
+    return message_new("level %d: found %d, expected %d: splitting there leaves up to %d nodes "
+                       "waiting, and TODO_SIZE is %d",
+                       in, found, in <= TODO_SIZE, in, TODO_SIZE);
 }
 
-const Function fits_06 = {"todo", TODO_LEVELS, sizeof(i32), .fault = fits_fault};
+const Function fits_06 = {"todo",
+                          TODO_LEVELS,
+                          sizeof(i32),
+                          .is_right = is_right_level,
+                          .describe = describe_level,
+                          .counted = "levels"};

@@ -8,7 +8,7 @@
 // they lead to exactly.
 #include "judge_06.h"
 
-#include "overlap_cause.h"
+#include "overlap_reach.h"
 #include "packed_list.h"
 #include "random3d.h"
 #include "scene_vary.h"

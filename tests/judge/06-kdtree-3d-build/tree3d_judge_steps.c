@@ -3,7 +3,7 @@
 #include "tree3d_judge.h"
 
 #include "message.h"
-#include "overlap_cause.h"
+#include "overlap_reach.h"
 #include "words.h"
 
 #include <float.h>

@@ -165,11 +165,7 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
     }
     const OracleChord chord = oracle3d_chord(sphere, ray, form);
     OracleRoot root = {.t = INFINITY};
-    // Beside the eye float decides whether the centre is behind it.
-    const int is_missed = (rules->negative_radius_missed && sphere.radius < 0) ||
-                          (rules->centre_behind_missed && chord.middle < -chord.error);
-    const int may_be_missed = rules->centre_behind_missed && chord.middle < chord.error;
-    if (!chord.is_possible || is_missed) {
+    if (!chord.is_possible || (rules->negative_radius_missed && sphere.radius < 0)) {
         return root;
     }
     const double b = chord.middle, shortest = chord.shortest, longest = chord.longest;
@@ -178,16 +174,14 @@ OracleRoot oracle3d_root(Sphere sphere, const OracleRay *ray, OracleForm form,
     const Root t_near = {b - chord.half, b - longest - last, b - shortest + last};
     const Root t_far = {b + chord.half, b + shortest - last, b + longest + last};
 
-    const int is_any_distance =
-        rules->any_distance || (rules->negative_radius_always && sphere.radius < 0);
-    const double limit = is_any_distance ? -INFINITY : rules->t_min_zero ? 0 : ray->t_min;
+    const double limit = rules->any_distance ? -INFINITY : ray->t_min;
     const int has_near_side =
         (sphere.radius > 0 || rules->radius_sign_ignored) && !rules->farther_root;
     const int enters = has_near_side && may_hit(&root, t_near, limit);
     if (!enters && !rules->inside_is_miss) {
         may_hit(&root, t_far, limit);
     }
-    root.is_certain &= chord.is_certain && !may_be_missed;
+    root.is_certain &= chord.is_certain;
     return root;
 }
 

@@ -28,9 +28,6 @@ typedef struct OracleRules3D {
     int inside_is_miss;          // no hit when the ray enters behind the eye
     int radius_sign_ignored;     // a negative radius as a positive one
     int negative_radius_missed;  // a sphere with a negative radius is not there
-    int negative_radius_always;  // its farther root counts at any distance
-    int centre_behind_missed;    // a sphere whose centre is behind the eye is not there
-    int t_min_zero;              // 0 for the ray's t_min
     // Which sphere.
     int first_wins;       // the first sphere that is hit, however far
     int last_wins;        // the last one
@@ -40,39 +37,21 @@ typedef struct OracleRules3D {
     int skip_last;        // nor the last
     int one_sphere_more;  // the one behind the end of the array is asked, too
     // Which colour.
-    int normal_not_turned;        // it points away from the centre, seen from inside, too
-    int normal_always_turned;     // it points to the centre
-    int normal_turned_away;       // away from where the ray comes from
-    int normal_turned_by_radius;  // where the radius is negative
-    int normal_turned_by_place;   // by the point's place in the scene
-    int normal_not_normalised;    // as long as the radius
-    int normal_by_radius;         // divided by the radius
-    double normal_threshold;      // it is turned from this cosine on
-    int cosine_not_clamped;       // a light behind the surface takes light away
-    int cosine_absolute;          // and lights it from behind
+    int normal_not_turned;      // it points away from the centre, seen from inside, too
+    int normal_always_turned;   // it points to the centre
+    int normal_not_normalised;  // as long as the radius
+    int cosine_not_clamped;     // a light behind the surface takes light away
+    int cosine_absolute;        // and lights it from behind
     int to_light_not_normalised;
-    int light_from_origin;  // the light's place taken for the way to it
-    int light_falls;        // with the square of the distance
-    int light_red_only;     // its red taken for all three
-    int light_cut_at_one;   // no channel of a light's is above 1
     int first_light_only;
     int last_light_only;
-    int most_lights;      // how many shine at most; 0 is no limit
-    int stops_behind;     // at the first light behind the surface
-    int sum_clamped;      // negative sums, not negative shares, are 0
-    int mean_of_lights;   // divided by their number
-    int brightest_light;  // of each channel the largest share
-    int kd_each_round;    // the sum so far is multiplied by kd, too
-    int highlight;        // Phong's, with ks and shine
-    int cut_at_one;       // no channel is above 1
-    int one_light_more;   // the one behind the end of the array shines, too
+    int cut_at_one;      // no channel is above 1
+    int one_light_more;  // the one behind the end of the array shines, too
     int ignore_kd;
     int ignore_color;         // of the material
     int ignore_light_color;   // every light is white
     int ignore_material_ids;  // sphere i is of material i, if there is one
     int background_black;
-    int red_blue_swapped;  // of surfaces
-    double gamma;          // surfaces' colours are raised to it; 0 is none
 } OracleRules3D;
 
 // ---- Rays -------------------------------------------------------------------------------------

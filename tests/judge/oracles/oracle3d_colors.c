@@ -28,19 +28,6 @@ int oracle3d_is_near(Vec3 found, OracleNear expected)
            fabs(found.z - expected.value.z) <= expected.error;
 }
 
-// Is the normal of a point turned round?
-//   cosine   between the way outwards and the ray's direction
-static int is_turned(Sphere sphere, OracleVector point, OracleVector direction, double cosine,
-                     const OracleRules3D *rules)
-{
-    const int turns = rules->normal_not_turned         ? 0
-                      : rules->normal_always_turned    ? 1
-                      : rules->normal_turned_by_radius ? sphere.radius < 0
-                      : rules->normal_turned_by_place  ? vector_dot(point, direction) > 0
-                                                       : cosine > rules->normal_threshold;
-    return turns != rules->normal_turned_away;
-}
-
 // Is the dot product of a normal and a direction, both given exactly, one product in every right
 // solution? Then it is exact, however small: around the origin, and along an axis.
 static int is_one_product(Sphere sphere, OracleNear point, OracleNear direction)
@@ -55,13 +42,10 @@ OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction
 {
     const OracleVector outwards = vector_minus(point.value, centre_of(sphere));
     const double distance = vector_length(outwards), rounding = ROUNDING * distance;
-    OracleNear normal = {rules->normal_not_normalised ? outwards
-                         : rules->normal_by_radius
-                             ? vector_scaled(1 / fabs(sphere.radius), outwards)
-                             : vector_unit(outwards),
+    OracleNear normal = {rules->normal_not_normalised ? outwards : vector_unit(outwards),
                          direction_error(point.error + rounding, distance)};
     const double cosine = vector_dot(vector_unit(outwards), direction.value);
-    if (is_turned(sphere, point.value, direction.value, cosine, rules)) {
+    if (!rules->normal_not_turned && (rules->normal_always_turned || cosine > 0)) {
         normal.value = vector_scaled(-1, normal.value);
     }
     if (!is_one_product(sphere, point, direction) &&
@@ -71,64 +55,24 @@ OracleNear oracle3d_normal(Sphere sphere, OracleNear point, OracleNear direction
     return normal;
 }
 
-// A colour raised to a power, and how far that may be off.
-static OracleNear bent(OracleNear color, double power)
-{
-    const double channels[3] = {color.value.x, color.value.y, color.value.z};
-    double value[3], error = 0;
-    for (int i = 0; i < 3; i++) {
-        value[i] = pow(fmax(channels[i], 0), power);
-        const double low = pow(fmax(channels[i] - color.error, 0), power);
-        const double high = pow(fmax(channels[i] + color.error, 0), power);
-        error = fmax(error, fmax(high - value[i], value[i] - low) + POW_ERROR * value[i]);
-    }
-    return (OracleNear){{value[0], value[1], value[2]}, error};
-}
-
 // What one light adds.
 typedef struct Share {
     OracleVector value;
     double error;      // of each channel
     double brightest;  // channel of it where the cosine is 1
-    int is_behind;     // is the light behind the surface?
 } Share;
-
-// The way to a light as a right solution has it, a unit vector, or as a mistake makes it.
-static OracleVector way_to(OracleVector point, const Light *light, const OracleRules3D *rules)
-{
-    const OracleVector position = vector_of(light->position);
-    const OracleVector way = rules->light_from_origin ? position : vector_minus(position, point);
-    return rules->to_light_not_normalised ? way : vector_unit(way);
-}
-
-// Lambert's cosine of a light that may be behind the surface.
-static double cosine_by(double cosine, const OracleRules3D *rules)
-{
-    return rules->cosine_absolute                            ? fabs(cosine)
-           : rules->cosine_not_clamped || rules->sum_clamped ? cosine
-                                                             : fmax(cosine, 0);
-}
-
-static OracleVector light_color(const Light *light, double distance, const OracleRules3D *rules)
-{
-    OracleVector color = vector_of(light->color);
-    if (rules->ignore_light_color) {
-        color = (OracleVector){1, 1, 1};
-    } else if (rules->light_red_only) {
-        color = (OracleVector){color.x, color.x, color.x};
-    } else if (rules->light_cut_at_one) {
-        color = (OracleVector){fmin(color.x, 1), fmin(color.y, 1), fmin(color.z, 1)};
-    }
-    return rules->light_falls ? vector_scaled(1 / (distance * distance), color) : color;
-}
 
 static Share share_of(OracleNear point, OracleNear normal, const Material *material,
                       const Light *light, const OracleRules3D *rules)
 {
-    const OracleVector to_light = way_to(point.value, light, rules);
-    const double distance = vector_length(vector_minus(vector_of(light->position), point.value));
-    const double dot = vector_dot(normal.value, to_light), cosine = cosine_by(dot, rules);
-    const OracleVector white = {1, 1, 1}, shine = light_color(light, distance, rules);
+    const OracleVector way = vector_minus(vector_of(light->position), point.value);
+    const OracleVector to_light = rules->to_light_not_normalised ? way : vector_unit(way);
+    const double distance = vector_length(way), dot = vector_dot(normal.value, to_light);
+    const double cosine = rules->cosine_absolute      ? fabs(dot)
+                          : rules->cosine_not_clamped ? dot
+                                                      : fmax(dot, 0);
+    const OracleVector white = {1, 1, 1},
+                       shine = rules->ignore_light_color ? white : vector_of(light->color);
     const OracleVector surface =
         vector_scaled(rules->ignore_kd ? 1 : material->kd,
                       rules->ignore_color ? white : vector_of(material->color));
@@ -137,46 +81,7 @@ static Share share_of(OracleNear point, OracleNear normal, const Material *mater
     const double error =
         vector_length(to_light) * (normal.error + 4 * ROUNDING +
                                    direction_error(point.error + ROUNDING * distance, distance));
-    Share share = {vector_scaled(cosine, full), brightest * error, brightest, dot <= 0};
-    if (rules->highlight) {
-        const double phong = material->ks * pow(cosine, fmax(material->shine, 1));
-        share.value = vector_plus(share.value, vector_scaled(phong, shine));
-        // The exponent multiplies the cosine's error, and pow() has 16 units of its own.
-        share.error += material->ks * fmax(fmax(shine.x, shine.y), shine.z) *
-                       (fmax(material->shine, 1) * error + 32 * ROUNDING);
-    }
-    return share;
-}
-
-// The sum so far with one more share.
-static OracleVector joined(OracleVector sum, OracleVector share, double kd,
-                           const OracleRules3D *rules)
-{
-    const OracleVector color = vector_plus(sum, share);
-    return rules->brightest_light
-               ? (OracleVector){fmax(sum.x, share.x), fmax(sum.y, share.y), fmax(sum.z, share.z)}
-           : rules->kd_each_round ? vector_plus(vector_scaled(kd, sum), share)
-                                  : color;
-}
-
-// What is done to the sum of n_lights shares.
-static OracleNear finished(OracleNear sum, int n_lights, const OracleRules3D *rules)
-{
-    OracleVector color = sum.value;
-    if (rules->mean_of_lights) {
-        color = vector_scaled(1.0 / n_lights, color);
-    }
-    if (rules->sum_clamped) {
-        color = (OracleVector){fmax(color.x, 0), fmax(color.y, 0), fmax(color.z, 0)};
-    }
-    if (rules->cut_at_one) {
-        color = (OracleVector){fmin(color.x, 1), fmin(color.y, 1), fmin(color.z, 1)};
-    }
-    if (rules->red_blue_swapped) {
-        color = (OracleVector){color.z, color.y, color.x};
-    }
-    const OracleNear near = {color, sum.error};
-    return rules->gamma > 0 ? bent(near, rules->gamma) : near;
+    return (Share){vector_scaled(cosine, full), brightest * error, brightest};
 }
 
 OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *material,
@@ -184,17 +89,17 @@ OracleNear oracle3d_shade(OracleNear point, OracleNear normal, const Material *m
 {
     OracleNear sum = {{0}, 0};
     const int first = rules->last_light_only && n_lights > 1 ? n_lights - 1 : 0;
-    const int most = rules->first_light_only ? 1 : rules->most_lights;
-    const int end = most > 0 && n_lights > most ? most : n_lights;
+    const int end = rules->first_light_only && n_lights > 1 ? 1 : n_lights;
     for (int i = first; i < end + (rules->one_light_more ? 1 : 0); i++) {
         const Share share = share_of(point, normal, material, &lights[i], rules);
-        if (share.is_behind && rules->stops_behind) {
-            break;
-        }
-        sum.value = joined(sum.value, share.value, material->kd, rules);
+        sum.value = vector_plus(sum.value, share.value);
         sum.error += share.error + share.brightest * SUM_ERROR * n_lights;
     }
-    return finished(sum, n_lights, rules);
+    if (rules->cut_at_one) {
+        sum.value =
+            (OracleVector){fmin(sum.value.x, 1), fmin(sum.value.y, 1), fmin(sum.value.z, 1)};
+    }
+    return sum;
 }
 
 // ---- Pictures ---------------------------------------------------------------------------------

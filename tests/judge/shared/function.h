@@ -29,6 +29,7 @@ typedef struct Function {
     const char *section;  // of the answers
     int n;                // how many there are in all ranges together
     size_t answer_bytes;  // of one
+    size_t inputs;        // where in the job that begins which the functions below get for it
 
     // What is wrong with answer number i, or NOTHING_WRONG. Owned by the caller.
     Diagnosis (*fault)(const void *job, int i, const void *answers);
@@ -41,6 +42,7 @@ typedef struct Function {
     const char *counted;  // "points"; NULL for "inputs"
     const Known *const *known;
     int n_known;
+    int is_known_by_all;  // and every answer of the other ranges: one alone says too little
 
     // In the place of is_right and known: does answer number i agree with what comes of a mistake,
     // or of none, which is number 0?
@@ -60,6 +62,9 @@ typedef struct Function {
 #define COMPARED(how, words, table) .agrees = (how), .describe = (words), MISTAKES(table)
 #define KNOWING(right, words, list)                                                                \
     .is_right = (right), .describe = (words), .known = (list), .n_known = COUNT(list)
+
+// Are there no facts, so that the answer is right? Releases them.
+int facts_are_none(char *facts);
 
 // The function's answers, or NULL when they are missing.
 const void *function_answers(const Function *function, const Sections *answers);

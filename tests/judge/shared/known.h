@@ -32,7 +32,7 @@ typedef struct Known {
     static int name(const void *job, int i, const void *answers)                                   \
     {                                                                                              \
         GIVEN;                                                                                     \
-        (void)in;                                                                                  \
+        (void)in, (void)found;                                                                     \
         return expression;                                                                         \
     }
 #define ANSWERS(name, expression, ...) EACH(name, IS_FOUND(expression), __VA_ARGS__)

@@ -1,9 +1,7 @@
-// Leaves to be packed, and what is known of wrong lists of ids and of wrong counts of them (labs 02
-// and 06).
+// Leaves to be packed, and how lists of their ids may be wrong (labs 02 and 06).
 #ifndef JUDGE_PACKED_LIST_H
 #define JUDGE_PACKED_LIST_H
 
-#include "diagnosis.h"
 #include "jobs.h"
 #include "random.h"
 
@@ -12,10 +10,11 @@
 enum { N_PACK_EDGES = 6 };
 PackJob pack_roll(Random *random, int edge, u32 n_least);
 
-// Is a number what 8 or 16 bits hold of the right one?
-Cause number_cause(u32 found, u32 expected);
-
-// The same of all ids of a list; or do they stand the other way round?
-Cause list_cause(const u32 *found, const u32 *expected, u32 n);
+// How a list of ids may be wrong: from the last to the first; positions for ids; as many bytes
+// copied as there are ids; of each id these bits.
+int is_reversed(const u32 *found, const u32 *expected, u32 n);
+int are_positions(const u32 *found, u32 n);
+int is_copied_in_bytes(const u32 *found, const u32 *expected, u32 n);
+int is_cut(const u32 *found, const u32 *expected, u32 n, u32 bits);
 
 #endif

@@ -97,60 +97,6 @@ int guard_is_untouched(const u32 *guard)
     return i == REPLAY_GUARD;
 }
 
-// Is an id that belongs into a child's list nowhere in it?
-static int is_missing(ListCall call, const u32 *list, u32 id)
-{
-    u32 i = 0;
-    while (i < call.n_ids && list[i] != id) {
-        i++;
-    }
-    return i == call.n_ids;
-}
-
-// What is wrong where list[n] should be the parent's id number j, and is not.
-static Diagnosis id_fault(const char *element, ListCall call, const u32 *list, u32 n, u32 j)
-{
-    const int is_position = list[n] == j;
-    const int is_lost = !is_position && is_missing(call, list, call.ids[j]);
-    char *found = message_new(
-        "node with %u %s%s from id %u on: child_ids[%u] %s, expected %u%s", call.n_ids, element,
-        plural(call.n_ids), call.ids[0], n,
-        list[n] == UNTOUCHED ? "was not written" : words("is %u", list[n]).text, call.ids[j],
-        is_lost ? words(", that %s overlaps the cell and is missing in its list", element).text
-                : "");
-    return diagnosis_of(found,
-                        (Cause){.says = is_position ? "that is its position in ids[]" : NULL,
-                                .mistake = is_lost ? MISTAKE_MISSING_IN_CELL : MISTAKE_NONE});
-}
-
-Diagnosis list_fault(const char *element, ListCall call, ListKeeps *keeps, const void *job,
-                     const u32 *found)
-{
-    u32 n = 0;
-    for (u32 j = 0; j < call.n_ids; j++) {
-        if (keeps(job, call.scene, call.ids[j], call.cell)) {
-            if (found[1 + n] != call.ids[j]) {
-                return id_fault(element, call, found + 1, n, j);
-            }
-            n++;
-        }
-    }
-    if (found[0] != n) {
-        return diagnosis_of(
-            message_new("node with %u %s%s from id %u on: returned %u, expected %u: the number of "
-                        "ids written",
-                        call.n_ids, element, plural(call.n_ids), call.ids[0], found[0], n),
-            (Cause){.says = call.n_ids == 0 ? "nothing is asked of an empty list, not even ids[0]"
-                                            : NULL});
-    }
-    return found[1 + call.n_ids] == UNTOUCHED
-               ? NOTHING_WRONG
-               : diagnosis_of(
-                     message_new("child_ids[%u] was written, but there is room for %u", call.n_ids,
-                                 call.n_ids),
-                     (Cause){.says = "nothing comes behind the last id, not even an end mark"});
-}
-
 int list_is_right(ListCall call, ListKeeps *keeps, const void *job, const u32 *found)
 {
     u32 n = 0;

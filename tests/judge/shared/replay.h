@@ -56,11 +56,6 @@ typedef struct ListCall {
 //   job   the lab's
 typedef int ListKeeps(const void *job, u32 scene, u32 id, BBox3D cell);
 
-// What is wrong with found[], the number returned and then the ids written.
-//   element   "circle" or "sphere"
-Diagnosis list_fault(const char *element, ListCall call, ListKeeps *keeps, const void *job,
-                     const u32 *found);
-
 // Is this what the call must return and write? found[REPLAY_ROOM(n_ids)]
 int list_is_right(ListCall call, ListKeeps *keeps, const void *job, const u32 *found);
 
