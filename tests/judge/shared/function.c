@@ -28,12 +28,6 @@ const void *function_answers(const Function *function, const Sections *answers)
     return sections_find(answers, function->section, (size_t)function->n * function->answer_bytes);
 }
 
-static int is_right(const Function *function, const void *job, int i, const void *answers)
-{
-    return function->is_right != NULL ? function->is_right(job, i, answers)
-                                      : function->agrees(job, i, answers, 0);
-}
-
 static int is_same_text(const char *a, const char *b)
 {
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
@@ -46,22 +40,10 @@ static int is_known(const Function *function, const Known *known, const void *jo
     int i = 0;
     while (i < range.n &&
            (known->fits(job, range_at(range, i), answers) ||
-            (known->is_only && is_right(function, job, range_at(range, i), answers)))) {
+            (known->is_only && function->is_right(job, range_at(range, i), answers)))) {
         i++;
     }
     return i == range.n;
-}
-
-// Does a mistake explain every answer of the range?
-static int explains(const Function *function, const void *job, Range range, const void *answers,
-                    int mistake)
-{
-    int i = 0;
-    while (i < range.n && function->agrees(job, range_at(range, i), answers, mistake)) {
-        i++;
-    }
-    return i == range.n &&
-           (function->shows == NULL || function->shows(job, range, answers, mistake));
 }
 
 // Are all answers the same, as where nothing was filled in?
@@ -118,22 +100,13 @@ static Cause name_known(const Function *function, const void *job, Range range, 
     return cause;
 }
 
-// The known mistake that explains all answers, if one does. From answers that are all the same
-// nothing is concluded, but where the table knows such a mistake.
+// The cause. From answers that are all the same nothing is concluded, but where the list knows such
+// a mistake.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
-    const int is_told = function->knows_constant || !is_constant(function, range, answers);
-    if (is_told && function->n_known > 0) {
-        return name_known(function, job, range, answers);
-    }
-    const int n = is_told ? function->n_mistakes : 0;
-    for (int m = 1; m < n; m++) {
-        if (explains(function, job, range, answers, m)) {
-            return *(const Cause *)((const char *)function->mistakes +
-                                    (size_t)m * function->mistake_bytes);
-        }
-    }
-    return (Cause){0};
+    return function->knows_constant || !is_constant(function, range, answers)
+               ? name_known(function, job, range, answers)
+               : (Cause){0};
 }
 
 // What is wrong with the answers: how many, the first one, and what explains them.
@@ -142,7 +115,7 @@ static Diagnosis judge_counting(const Function *function, const void *job, Range
 {
     int n_wrong = 0, first = 0;
     for (int i = range.n - 1; i >= 0; i--) {
-        if (!is_right(function, job, range_at(range, i), answers)) {
+        if (!function->is_right(job, range_at(range, i), answers)) {
             n_wrong++;
             first = range_at(range, i);
         }
@@ -165,12 +138,5 @@ Verdict function_judge(const Function *function, const void *job, Range range,
         return verdict_missing;
     }
     job = (const char *)job + function->inputs;
-    if (function->fault == NULL) {
-        return verdict_of(judge_counting(function, job, range, found));
-    }
-    Verdict verdict = verdict_passed;
-    for (int i = 0; verdict.kind == VERDICT_PASSED && i < range.n; i++) {
-        verdict = verdict_of(function->fault(job, range_at(range, i), found));
-    }
-    return verdict;
+    return verdict_of(judge_counting(function, job, range, found));
 }

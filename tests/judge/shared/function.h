@@ -31,35 +31,21 @@ typedef struct Function {
     size_t answer_bytes;  // of one
     size_t inputs;        // where in the job that begins which the functions below get for it
 
-    // What is wrong with answer number i, or NOTHING_WRONG. Owned by the caller.
-    Diagnosis (*fault)(const void *job, int i, const void *answers);
-
-    // In its place: is it right? Then a wrong answer is described, "...: found 1, expected 2",
-    // owned by the caller; how many are wrong is counted; and the cause is the known mistake that
-    // explains every answer of the range.
+    // Is answer number i right? A wrong one is described, "...: found 1, expected 2", owned by the
+    // caller; how many are wrong is counted.
     int (*is_right)(const void *job, int i, const void *answers);
     char *(*describe)(const void *job, int i, const void *answers);
     const char *counted;  // "points"; NULL for "inputs"
+
+    // The known mistakes (known.h), of which the cause is one that explains every answer of the
+    // range;
     const Known *const *known;
     int n_known;
-    int is_known_by_all;  // and every answer of the other ranges: one alone says too little
-
-    // In the place of is_right and known: does answer number i agree with what comes of a mistake,
-    // or of none, which is number 0?
-    int (*agrees)(const void *job, int i, const void *answers, int mistake);
-    const void *mistakes;  // structures that begin with a Cause
-    size_t mistake_bytes;  // of one
-    int n_mistakes;        // with number 0
-    // Does the range as a whole look like a mistake, too, that explains every answer? NULL where
-    // that is enough.
-    int (*shows)(const void *job, Range range, const void *answers, int mistake);
-    // Of answers that are all the same nothing is concluded, but where some mistake of the table
+    int is_known_by_all;  // and every answer of the other ranges, which share few of their mistakes
+    // Of answers that are all the same nothing is concluded, but where some mistake of the list
     // makes them so.
     int knows_constant;
 } Function;
-#define MISTAKES(table)                                                                            \
-    .mistakes = (table), .mistake_bytes = sizeof *(table), .n_mistakes = COUNT(table)
-#define COMPARED(how, words, table) .agrees = (how), .describe = (words), MISTAKES(table)
 #define KNOWING(right, words, list)                                                                \
     .is_right = (right), .describe = (words), .known = (list), .n_known = COUNT(list)
 
