@@ -63,13 +63,22 @@ static char *describe_end(Grading *grading)
     char *line = whole->has_crashed ? session_find_line(&grading->session, whole, &task) : NULL;
     grading->has_line = line != NULL;
     grading->end_task = line != NULL ? task : place->task[0] != '\0' ? place->task : NULL;
-    char *where = place->where[0] == '\0'
-                      ? message_new("%s", "")
-                      : message_new("where: %s%s%s\n", place->where,
-                                    place->with[0] != '\0' ? ", " : "", place->with);
-    char *message = message_new("%s\n%s%s%s%s%s", whole->trouble, where, line ? line : "",
-                                whole->habits, whole->habits[0] ? "\n" : "", whole->run_output);
-    free(where);
+    char *message = NULL;
+    size_t length = 0;
+    FILE *text = open_memstream(&message, &length);
+    if (text == NULL) {
+        free(line);
+        return message_new("%s", whole->trouble);
+    }
+    fprintf(text, "%s\n", whole->trouble);
+    if (place->where[0] != '\0') {
+        fprintf(text, "where: %s", place->where);
+        fprintf(text, place->with[0] != '\0' ? ", %s\n" : "%s\n", place->with);
+    }
+    fprintf(text, "%s", line != NULL ? line : "");
+    fprintf(text, whole->habits[0] != '\0' ? "%s\n" : "%s", whole->habits);
+    fprintf(text, "%s", whole->run_output);
+    fclose(text);
     free(line);
     return message;
 }

@@ -186,11 +186,11 @@ EACH(both_undivided, comes_of(in, 2 * in.b, 4 * in.disc, found),
      "the formula with 2 b divides by 2 in the end: both roots are twice as far")
 EACH(disc_halved, comes_of(in, in.b, 2 * in.disc, found),
      "disc is twice as large: with 2 b for b it is divided by 4")
-EACH(four_times_c, comes_of(in, in.b, in.b *in.b - 4 * C, found),
+EACH(four_times_c, comes_of(in, in.b, -4 * C + in.b * in.b, found),
      "with half of the equation's b the discriminant is b² - c, not b² - 4 c")
-EACH(radius_as_it_is, comes_of(in, in.b, in.b *in.b - (in.c2 - in.radius), found),
+EACH(radius_as_it_is, comes_of(in, in.b, in.radius - in.c2 + in.b * in.b, found),
      "the radius is not squared")
-EACH(radius_less_way, comes_of(in, in.b, LESS_WAY *LESS_WAY, found),
+EACH(radius_less_way, comes_of(in, in.b, pow(LESS_WAY, 2), found),
      "the square of r - |l| is never negative: the difference is that of squares")
 EACH(disc_turned, comes_of(in, in.b, -in.disc, found), "disc has the wrong sign")
 

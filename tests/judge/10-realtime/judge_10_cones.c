@@ -81,7 +81,8 @@ ANSWERS(always, INFINITY,
 ANSWERS(inverted, -gap_of(view), "1 and 0 are swapped: 1 where every ray misses")
 ANSWERS(radius_signed, view.border - (double)in->radius,
         "the radius may be negative: how large it is, is fabs(radius)")
-ANSWERS(sine_for_cosine, view.aside *(double)in->sine - view.along * (double)in->cosine - view.size,
+ANSWERS(sine_for_cosine,
+        -view.size - view.along * (double)in->cosine + view.aside * (double)in->sine,
         "sine and cosine are swapped")
 ANSWERS(other_side, gap_by(in, view.aside, -view.along),
         "the cone grows wider away from the eye: that part is taken off, not added")
@@ -114,7 +115,7 @@ ANSWERS(cube, gap_by(in, view.cube, view.along),
 ANSWERS(without_cosine, view.aside - view.along * (double)in->sine - view.size,
         "the cosine is missing: how far the centre is beside the axis is multiplied by it")
 ANSWERS(cosine_size,
-        view.aside *fabs((double)in->cosine) - view.along * (double)in->sine - view.size,
+        fabs((double)in->cosine) * view.aside - view.along * (double)in->sine - view.size,
         "the cosine may be negative, and stays so: nothing is outside of the cone then")
 ANSWERS(behind_plane, view.along < -view.size ? 1 : gap_of(view),
         "where the cosine is -1 rays go to all sides: what is behind the eye is not missed, either")
@@ -129,7 +130,7 @@ ANSWERS(along_size, gap_by(in, hypot(view.aside, view.along - fabs(view.along)),
         "the part along the axis may be negative, and stays so: behind the eye is outside of the "
         "cone")
 ANSWERS(both_squared,
-        view.aside *view.aside *(double)in->cosine - view.along * (double)in->sine -
+        pow(view.aside, 2) * (double)in->cosine - view.along * (double)in->sine -
             view.size * view.size,
         "squares and distances are mixed: take the length")
 ANSWERS(from_axis_end, gap_by(in, hypot(view.along - 1, view.aside), view.along),
