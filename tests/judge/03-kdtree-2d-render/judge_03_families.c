@@ -32,10 +32,12 @@ static const struct {
     {70000, 70020, 70010, 70010, 70005},
 };
 
-// Number `step` of a family's pixels along the split axis.
+// Number `step` of a family's pixels along the split axis. None is on the border itself, which is
+// what the check child-border asks.
 static i32 family_pixel(u32 family, u32 step)
 {
-    return step < 3    ? families[family].at + (i32)step - 1
+    const i32 at = families[family].at + (i32)step - 1;
+    return step < 3    ? at - ((float)at == families[family].border)
            : step == 3 ? (i32)floorf(families[family].min) - 2
                        : (i32)ceilf(families[family].max) + 2;
 }
