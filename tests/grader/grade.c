@@ -94,7 +94,9 @@ static void add_run_stages(Grading *grading)
     }
     result_add_stage(&grading->result, "Compiling",
                      grading->build_log ? CHECK_FAILED : CHECK_PASSED,
-                     grading->build_log ? grading->build_log : "");
+                     grading->build_log ? grading->build_log
+                     : whole->warnings  ? whole->warnings
+                                        : "");
     if (whole->trouble != NULL) {
         char *message = describe_end(grading);
         result_add_stage(&grading->result, "Running", CHECK_FAILED, message);

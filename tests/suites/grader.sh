@@ -102,6 +102,28 @@ make_grade() {
 }
 check "make grade below full marks ends with 0" make_grade 0 LAB=02 SUBMISSION=labs/02-kdtree-2d-build SEED=5
 check "and its last line is the report's" test "$(tail -n 1 "$said" | cut -d ' ' -f 1)" = Report:
+
+# make_grade_shows WORDS OPTION...: does it end with 0, and does a line hold the words?
+make_grade_shows() {
+    words=$1
+    shift
+    make_grade 0 "$@" && grep -q -- "$words" "$said"
+}
+copy_lab solutions 02-kdtree-2d-build
+echo '    return 1;' | answer kdtree2d_build.c is_leaf
+echo '    int forgotten; return 0;' | answer kdtree2d_build.c circle_overlaps_box
+two_wrong="LAB=02 SUBMISSION=$scratch/submission SEED=5"
+# shellcheck disable=SC2086 # options
+check "make grade tells of the first task that failed" make_grade_shows "^ Task is_leaf in " $two_wrong
+ok $(($(grep -c '^ Task ' "$said") != 1)) "and of no other" "$(cat "$said")"
+check "but it names the next" grep -q "more tasks\{0,1\} fail.*; TASK=.* shows .*, ALL=1 everything" "$said"
+check "and has the compiler's warnings as a note" grep -q "unused variable" "$said"
+# shellcheck disable=SC2086 # options
+check "TASK shows another" make_grade_shows "^ Task circle_overlaps_box in " $two_wrong TASK=circle_overlaps_box
+# shellcheck disable=SC2086 # options
+check "ALL shows every one" make_grade_shows "^ Task pack_leaf in " $two_wrong ALL=1
+check "a task that is not there is refused" make_grade 2 LAB=02 TASK=none-such
+check "with those that are" grep -q '^grade: --task: found "none-such", expected a task of lab .*: is_leaf, split_box' "$said"
 check "a fault of the grader is one of make's" make_grade 2 LAB=02 SUBMISSION=/nowhere
 # lab_grader LAB: what make would do for the grader of this lab alone.
 lab_grader() { make --no-print-directory --dry-run lab-grader BUILD="$scratch/none" LAB="$1"; }

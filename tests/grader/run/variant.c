@@ -127,6 +127,7 @@ int variant_reset(const Workshop *workshop, Variant *variant)
 void variant_free(Variant *variant)
 {
     free(variant->build_log);
+    free(variant->warnings);
     free(variant->trouble);
     free(variant->habits);
     free(variant->run_output);

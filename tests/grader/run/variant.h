@@ -20,6 +20,7 @@ typedef struct Variant {
     VariantPurpose purpose;
     char name[80];
     char *build_log;   // set when it does not compile; with the student's file and line; owned
+    char *warnings;    // of the compiler, of host files that compile; "" or NULL: none; owned
     char *trouble;     // set when it compiled and did not run to its end: what happened; owned
     ProbeNote note;    // and where, as its probe noted it,
     RunPlace place;    // and in words; all "" when nobody knows

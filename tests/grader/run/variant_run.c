@@ -41,6 +41,9 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
         linker_lines_shorten(result->output);
         variant->build_log = result->output;
         result->output = NULL;
+    } else {
+        variant->warnings = result->output;
+        result->output = NULL;
     }
 }
 
