@@ -173,14 +173,14 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
     return is_others;
 }
 
-// Say of check number i what was found where its answer was tried alone. Only where no other answer
-// has a part in it: it is judged there as in the whole then, on the same inputs, and stand-ins have
-// no part in what is said. Returns whether there was anything to say.
+// Say of check number i what was found where its answer was tried alone. Only where it is judged
+// there as in the whole, on the same inputs and by the lab's rules: what stand-ins do has no part
+// in what is said. Returns whether there was anything to say.
 static int tell_alone(Grading *grading, const Variant *alone, int i)
 {
     CheckResult found = {.max_points = grading->result.checks[i].max_points};
     check_tell(&found, NOTHING_WRONG);
-    if (!check_needs_others(&grading->session.judge.checks[i])) {
+    if (grading->session.judge.checks[i].is_same_alone) {
         session_judge(&grading->session, 0, i, alone, &found);
     }
     const int is_told = found.status == CHECK_FAILED && alone->trouble == NULL;
@@ -192,21 +192,22 @@ static int tell_alone(Grading *grading, const Variant *alone, int i)
                                       .mistake = own->mistake,
                                       .evidence = own->evidence});
         check->is_explained = found.is_explained;
+        check->is_told_alone = 1;
     }
     check_free(&found);
     return is_told;
 }
 
 // What is said of check number i, which failed alone, too, or by nobody else's fault.
-static void note_own(Grading *grading, const Variant *alone, int passes, int i)
+//   is_others   another answer may have a part in what was found in the whole
+static void note_own(Grading *grading, const Variant *alone, int passes, int i, int is_others)
 {
     CheckResult *check = &grading->result.checks[i];
     check->is_own = !passes || is_finished(grading);
     check->passes_alone = passes;
     check->fails_alone = !passes;
     // What does not compile is reported once, under "Compiling".
-    if (is_finished(grading) || passes || alone->build_log != NULL ||
-        tell_alone(grading, alone, i)) {
+    if (!is_others || passes || alone->build_log != NULL || tell_alone(grading, alone, i)) {
         return;
     }
     if (check->status == CHECK_NOT_RUN) {
@@ -270,7 +271,8 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
             check_fail(check, diagnosis_new("it passes together with your other answers, but not "
                                             "alone, where the task earned more"));
         } else if (check->status != CHECK_PASSED) {
-            note_own(grading, &grading->alone[t], alone->passes[i], i);
+            note_own(grading, &grading->alone[t], alone->passes[i], i,
+                     !is_finished(grading) || may_count(grading, i, is_task_wrong));
         }
     }
 }

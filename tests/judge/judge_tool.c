@@ -64,9 +64,11 @@ static int reply_checks(Desk *desk, const char *argument, FILE *reply)
     for (int i = 0; result == 0 && i < desk->job->judge->n_checks; i++) {
         const JudgeCheck *check = &desk->job->judge->checks[i];
         char text[512];
-        const int n =
-            snprintf(text, sizeof text, "%s%c%s%c%s%c%s%c%d", check->id, 0, check->title, 0,
-                     check->task, 0, check->needs ? check->needs : "", 0, check->scene != NULL);
+        const int is_same_alone = check->alone == NULL && check->alone_scene == NULL &&
+                                  check->alone_functions[0] == NULL && check->replay == NULL;
+        const int n = snprintf(text, sizeof text, "%s%c%s%c%s%c%s%c%d%c%d", check->id, 0,
+                               check->title, 0, check->task, 0, check->needs ? check->needs : "", 0,
+                               check->scene != NULL, 0, is_same_alone);
         result = n < (int)sizeof text ? section_write(reply, "check", text, (size_t)n + 1) : -1;
     }
     return result;

@@ -10,9 +10,9 @@
 TestSuite(blame);
 
 static const Check checks[] = {
-    {"leaf-ids", "Whose hit it is", "search_leaf", 40, NULL, 0},
-    {"trace-own", "The way down", "trace", 20, NULL, 0},
-    {"trace-picture", "Whole pictures", "trace", 40, "*", 0},
+    {"leaf-ids", "Whose hit it is", "search_leaf", 40, NULL, 0, 0},
+    {"trace-own", "The way down", "trace", 20, NULL, 0, 0},
+    {"trace-picture", "Whole pictures", "trace", 40, "*", 0, 0},
 };
 
 static const Manifest manifest = {
@@ -108,9 +108,9 @@ Test(blame, what_passes_alone_names_the_one_answer_that_is_wrong)
 Test(blame, what_passes_alone_names_none_of_two)
 {
     static const Check three[] = {
-        {"leaf-ids", "Whose hit it is", "search_leaf", 40, NULL, 0},
-        {"clip", "The box", "clip_to_box", 20, NULL, 0},
-        {"trace-picture", "Whole pictures", "trace", 40, "*", 0},
+        {"leaf-ids", "Whose hit it is", "search_leaf", 40, NULL, 0, 0},
+        {"clip", "The box", "clip_to_box", 20, NULL, 0, 0},
+        {"trace-picture", "Whole pictures", "trace", 40, "*", 0, 0},
     };
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
     Result result = result_of(statuses, "it looks mirrored");
@@ -152,9 +152,9 @@ Test(blame, what_is_not_answered_does_not_wait)
 Test(blame, only_what_is_needed_is_blamed)
 {
     static const Check rays[] = {
-        {"axes", "The axes", "camera_axes", 40, NULL, 0},
-        {"color", "Colours", "direction_color", 60, "primary_ray pixel_on_display", 0},
-        {"pixel", "Pixels", "pixel_on_display", 60, "", 0},
+        {"axes", "The axes", "camera_axes", 40, NULL, 0, 0},
+        {"color", "Colours", "direction_color", 60, "primary_ray pixel_on_display", 0, 0},
+        {"pixel", "Pixels", "pixel_on_display", 60, "", 0, 0},
     };
     const CheckStatus first[] = {CHECK_FAILED, CHECK_FAILED, CHECK_PASSED};
     Result result = result_of(first, NULL);
@@ -174,9 +174,9 @@ Test(blame, only_what_is_needed_is_blamed)
 Test(blame, what_fails_alone_is_at_fault_for_certain)
 {
     static const Check pictures[] = {
-        {"picture", "Pictures", "descent", 50, "*", 0},
-        {"leaf", "Leaves", "leaf_loop", 50, "*", 0},
-        {"child", "Children", "getContainingChild", 0, NULL, 0},
+        {"picture", "Pictures", "descent", 50, "*", 0, 0},
+        {"leaf", "Leaves", "leaf_loop", 50, "*", 0, 0},
+        {"child", "Children", "getContainingChild", 0, NULL, 0, 0},
     };
     const CheckStatus both[] = {CHECK_FAILED, CHECK_FAILED, CHECK_PASSED};
     Result result = result_of(both, NULL);
@@ -225,9 +225,9 @@ Test(blame, of_two_wrong_answers_none_is_the_cause)
 Test(blame, a_caller_is_not_at_fault_where_what_it_calls_is)
 {
     static const Check calls[] = {
-        {"overlap", "Touching counts", "search_leaf", 40, NULL, 0},
-        {"list", "The right ids", "trace", 20, "search_leaf", 0},
-        {"tree", "Whole trees", "trace", 40, "*", 0},
+        {"overlap", "Touching counts", "search_leaf", 40, NULL, 0, 0},
+        {"list", "The right ids", "trace", 20, "search_leaf", 0, 0},
+        {"tree", "Whole trees", "trace", 40, "*", 0, 0},
     };
     const CheckStatus all[] = {CHECK_FAILED, CHECK_FAILED, CHECK_FAILED};
     Result result = result_of(all, NULL);

@@ -99,8 +99,9 @@ void blame_others(const Check *checks, Result *result)
 {
     Culprits culprits[RESULT_MAX_CHECKS];
     for (int i = 0; i < result->n_checks; i++) {
+        const CheckResult *check = &result->checks[i];
         const int has_failed =
-            result->checks[i].status == CHECK_FAILED && !result->checks[i].is_unanswered;
+            check->status == CHECK_FAILED && !check->is_unanswered && !check->is_told_alone;
         culprits[i] = has_failed ? culprits_of(checks, result, i) : (Culprits){0};
     }
     for (int i = 0; i < result->n_checks; i++) {

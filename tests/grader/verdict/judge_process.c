@@ -202,6 +202,7 @@ static int read_checks(JudgeProcess *judge)
         check->task = next_text(&bytes, end);
         check->needs = next_text(&bytes, end);
         check->is_of_scenes = atoi(next_text(&bytes, end));
+        check->is_same_alone = atoi(next_text(&bytes, end));
     }
     return 0;
 }

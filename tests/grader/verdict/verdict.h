@@ -15,7 +15,8 @@ typedef struct Check {
     const char
         *needs;  // whose answers have a part in it besides: ids parted by blanks, "*" for all,
                  // NULL or "" for none
-    int is_of_scenes;  // it looks at whole pictures, or at what they cost
+    int is_of_scenes;   // it looks at whole pictures, or at what they cost
+    int is_same_alone;  // where its answer is tried alone, it is judged as in the whole, too
 } Check;
 
 typedef enum VerdictKind {
