@@ -11,6 +11,7 @@
 #include "grading.h"
 #include "message.h"
 #include "path.h"
+#include "source_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -173,17 +174,34 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
     return is_others;
 }
 
+// Does the answer name another task? Then a stand-in may have had a part in what was found alone.
+static int names_others(const Grading *grading, int t)
+{
+    char *answer = grading_answer(grading, task_of(grading, t));
+    int n_named = answer == NULL;
+    SourceReader reader = source_reader(answer != NULL ? answer : "");
+    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
+         word = source_next(&reader)) {
+        for (int other = 0; other < grading->session.manifest.n_tasks; other++) {
+            n_named += other != t && source_is(&word, SOURCE_NAME, task_of(grading, other)->id);
+        }
+    }
+    free(answer);
+    return n_named > 0;
+}
+
 // Say of check number i what was found where its answer was tried alone. Only where it is judged
-// there as in the whole, on the same inputs and by the lab's rules: what stand-ins do has no part
-// in what is said. Returns whether there was anything to say.
-static int tell_alone(Grading *grading, const Variant *alone, int i)
+// there as in the whole, on the same inputs and by the lab's rules, and where the answer calls no
+// other task's function: what stand-ins do has no part in what is said. Returns whether there was
+// anything to say.
+static int tell_alone(Grading *grading, int t, int i)
 {
     CheckResult found = {.max_points = grading->result.checks[i].max_points};
     check_tell(&found, NOTHING_WRONG);
-    if (grading->session.judge.checks[i].is_same_alone) {
-        session_judge(&grading->session, 0, i, alone, &found);
+    if (grading->session.judge.checks[i].is_same_alone && !names_others(grading, t)) {
+        session_judge(&grading->session, 0, i, &grading->alone[t], &found);
     }
-    const int is_told = found.status == CHECK_FAILED && alone->trouble == NULL;
+    const int is_told = found.status == CHECK_FAILED;
     if (is_told) {
         CheckResult *check = &grading->result.checks[i];
         const Diagnosis *own = &found.diagnosis;
@@ -198,22 +216,29 @@ static int tell_alone(Grading *grading, const Variant *alone, int i)
     return is_told;
 }
 
-// What is said of check number i, which failed alone, too, or by nobody else's fault.
+// What is said of check number i of task t, which failed alone, too, or by nobody else's fault.
 //   is_others   another answer may have a part in what was found in the whole
-static void note_own(Grading *grading, const Variant *alone, int passes, int i, int is_others)
+static void note_own(Grading *grading, int t, int i, int is_others)
 {
+    const Variant *alone = &grading->alone[t];
     CheckResult *check = &grading->result.checks[i];
+    const int passes = grading->verdicts[t].passes[i];
     check->is_own = !passes || is_finished(grading);
     check->passes_alone = passes;
-    check->fails_alone = !passes;
-    // What does not compile is reported once, under "Compiling".
-    if (!is_others || passes || alone->build_log != NULL || tell_alone(grading, alone, i)) {
+    if (!is_others || passes) {
         return;
     }
-    if (check->status == CHECK_NOT_RUN) {
-        check_fail(check, diagnosis_new("also wrong when tested alone: fix what ends the program "
-                                        "first%s%s, then grade again",
-                                        grading->end_task != NULL ? ", " : "",
+    if (alone->build_log != NULL) {
+        check->alone = "without your other answers it does not compile, so it was not tested alone";
+    } else if (alone->trouble != NULL) {
+        check->alone = "tested alone, it does not come to its end";
+    } else if (!tell_alone(grading, t, i)) {
+        check->alone = "it also fails when tested alone";
+    }
+    // What does not compile is reported once, under "Compiling".
+    if (check->status == CHECK_NOT_RUN && check->alone != NULL && alone->build_log == NULL) {
+        check_fail(check, diagnosis_new("%s: fix what ends the program first%s%s, then grade again",
+                                        check->alone, grading->end_task != NULL ? ", " : "",
                                         grading->end_task != NULL ? grading->end_task : ""));
     }
 }
@@ -271,8 +296,7 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
             check_fail(check, diagnosis_new("it passes together with your other answers, but not "
                                             "alone, where the task earned more"));
         } else if (check->status != CHECK_PASSED) {
-            note_own(grading, &grading->alone[t], alone->passes[i], i,
-                     !is_finished(grading) || may_count(grading, i, is_task_wrong));
+            note_own(grading, t, i, !is_finished(grading) || may_count(grading, i, is_task_wrong));
         }
     }
 }

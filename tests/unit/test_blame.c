@@ -57,11 +57,12 @@ Test(blame, what_fails_alone_too_names_the_task_before_it)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
     Result result = result_of(statuses, "it looks mirrored");
-    result.checks[2].is_own = result.checks[2].fails_alone = 1;
+    result.checks[2].is_own = 1;
+    result.checks[2].alone = "it also fails when tested alone";
     blame_others(checks, &result);
     cr_expect_str_eq(
         result.checks[2].message,
-        "found 1, expected 2; also wrong when tested alone: fix search_leaf first, then "
+        "found 1, expected 2; it also fails when tested alone: fix search_leaf first, then "
         "grade again");
     result_free(&result);
 
@@ -71,9 +72,11 @@ Test(blame, what_fails_alone_too_names_the_task_before_it)
     before.checks[0].task = "trace";
     before.checks[1].task = "search_leaf";
     before.checks[1].status = CHECK_FAILED;
-    before.checks[0].is_own = before.checks[0].fails_alone = 1;
+    before.checks[0].is_own = 1;
+    before.checks[0].alone = "it also fails when tested alone";
     blame_others(turned, &before);
-    cr_expect_str_eq(before.checks[0].message, "found 1, expected 2; also wrong when tested alone");
+    cr_expect_str_eq(before.checks[0].message,
+                     "found 1, expected 2; it also fails when tested alone");
     before.n_checks = 3;
     result_free(&before);
 }
@@ -100,7 +103,7 @@ Test(blame, what_passes_alone_names_the_one_answer_that_is_wrong)
     result.checks[2].is_own = result.checks[2].passes_alone = 1;
     blame_others(checks, &result);
     cr_expect_str_eq(result.checks[2].message, "found 1, expected 2; alone it passes: search_leaf "
-                                               "is wrong, too, and has a part in this");
+                                               "is wrong, and has a part in this");
     result_free(&result);
 }
 

@@ -34,6 +34,15 @@ Test(linker_lines, an_object_of_no_lasting_name_is_the_students_code)
                  "your code:(.bss+0x0): first defined here" FAILED);
 }
 
+// Of a file that compiles and is linked.
+Test(linker_lines, so_is_it_in_warnings)
+{
+    expect_lines(
+        "/usr/bin/ld: /tmp/ccIUeTsh.o: in function `f':\n/work/labs/02-a/a.c:3: warning: no\n",
+        "/usr/bin/ld: your code: in function `f':\nlabs/02-a/a.c:3: warning: no\n");
+    expect_lines("/tmp/ccIUeTsh.s: Assembler messages:\n", "your code: Assembler messages:\n");
+}
+
 Test(linker_lines, what_else_is_said_stays_as_it_is)
 {
     expect_lines("", "");

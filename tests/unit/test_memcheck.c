@@ -179,7 +179,7 @@ Test(advice, memcheck_is_not_offered_where_the_cause_is_known)
 Test(advice, memcheck_is_offered_where_only_another_task_is_named)
 {
     Seen blamed = strange;
-    blamed.cause.says = "alone it passes: search_leaf is wrong, too, and has a part in this";
+    blamed.cause.says = "alone it passes: search_leaf is wrong, and has a part in this";
     Manifest manifest = {.lab = "03-kdtree-2d-render",
                          .files = {(char *)"a.cl"},
                          .n_files = 1,

@@ -22,19 +22,20 @@ static size_t own_part(const char *path, size_t length)
     return begin;
 }
 
-// Is it "/tmp/ccXXXXXX.o", which gcc makes of each source file?
+// Is it "/tmp/ccXXXXXX.o" or ".s", which gcc makes of each source file?
 static int is_object(const char *path, size_t length)
 {
-    static const char begin[] = "/tmp/cc", end[] = ".o";
-    return length == strlen(begin) + strlen("XXXXXX") + strlen(end) &&
-           strncmp(path, begin, strlen(begin)) == 0 &&
-           strncmp(path + length - strlen(end), end, strlen(end)) == 0;
+    static const char begin[] = "/tmp/cc";
+    return length == strlen(begin) + strlen("XXXXXX.o") &&
+           strncmp(path, begin, strlen(begin)) == 0 && path[length - 2] == '.' &&
+           strchr("os", path[length - 1]) != NULL;
 }
 
 void linker_lines_shorten(char *output)
 {
     static const char own_code[] = "your code";
-    if (strstr(output, "ld returned") == NULL) {
+    if (strstr(output, "/ld: ") == NULL && strstr(output, "ld returned") == NULL &&
+        strstr(output, ": Assembler messages:") == NULL) {
         return;
     }
     char *to = output;

@@ -37,14 +37,11 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
     variant->is_compiled = 1;
     if (result->outcome != SANDBOX_EXITED) {
         variant->build_log = describe_compiler_end(result, allowed);
-    } else if (result->exit_status != 0) {
-        linker_lines_shorten(result->output);
-        variant->build_log = result->output;
-        result->output = NULL;
-    } else {
-        variant->warnings = result->output;
-        result->output = NULL;
+        return;
     }
+    linker_lines_shorten(result->output);
+    *(result->exit_status != 0 ? &variant->build_log : &variant->warnings) = result->output;
+    result->output = NULL;
 }
 
 // Had it done nothing yet but build its kernels, so that their compiler may have failed? The

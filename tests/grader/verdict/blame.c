@@ -67,15 +67,14 @@ static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
 {
     const Diagnosis *diagnosis = &check->diagnosis;
     const int is_known = check->passes_alone && !culprits.are_more;
-    char *cause =
-        check->fails_alone
-            ? message_new("also wrong when tested alone%s%s%s", culprits.is_before ? ": fix " : "",
-                          culprits.is_before ? culprits.first : "",
-                          culprits.is_before ? " first, then grade again" : "")
-        : is_known ? message_new("alone it passes: %s is wrong, too, and has a part in "
-                                 "this",
-                                 culprits.first)
-                   : NULL;
+    char *cause = NULL;
+    if (check->alone != NULL && culprits.is_before) {
+        cause = message_new("%s: fix %s first, then grade again", check->alone, culprits.first);
+    } else if (check->alone != NULL) {
+        cause = message_new("%s", check->alone);
+    } else if (is_known) {
+        cause = message_new("alone it passes: %s is wrong, and has a part in this", culprits.first);
+    }
     return (Diagnosis){.found = message_new("%s", diagnosis->found),
                        .cause = cause,
                        .mistake = diagnosis->cause == NULL ? diagnosis->mistake : MISTAKE_NONE,

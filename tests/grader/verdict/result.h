@@ -28,8 +28,8 @@ typedef struct CheckResult {
     int is_explained;   // the message says why: a hint would only lead elsewhere
     int is_own;         // it is the fault of its own answer, whatever else is wrong
     int passes_alone;   // its answer passes it alone, though not in the whole;
-    int fails_alone;    // or fails it there, too;
-    int is_told_alone;  // and what was found there is what is said
+    int is_told_alone;  // or fails it there, too, and what was found there is what is said
+    const char *alone;  // what else came of testing it alone, in words; NULL: nothing
     int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 

@@ -86,7 +86,7 @@ EACH(some_steps,
      "the search ended after some steps, leaf or not")
 ANSWERS(parent, after(in, i, WAY.n_steps > 0 ? WAY.n_steps - 1 : 0),
         "the search ended one node above the leaf")
-EACH(first_circle, found.leaf == in->circle_nodes[in->circle_tiles[i].first_node + WAY.leaf].first,
+EACH(by_first, found.leaf == in->circle_nodes[in->circle_tiles[i].first_node + WAY.leaf].first,
      "that is the leaf's `first`, where its circles begin: its own id is asked for")
 ANSWERS(near_ids, searched(in, i, right, MOST_CIRCLE_NODES, FAR_NODE, UINT32_MAX),
         "the search ended at the first large id, leaf or not: a tree may have any number of nodes")
@@ -98,7 +98,7 @@ ANSWERS(cut_16, searched(in, i, right, MOST_CIRCLE_NODES, UINT32_MAX, 0xffff), I
 static const Known *const leaf_known[] = {
     &plane_is_lower, &axes_swapped, &sides_swapped, &only_x,  &only_y,   &always_lower,
     &next_tile,      &pixel_cut,    &tile_number,   &is_root, &one_step, &some_steps,
-    &parent,         &first_circle, &near_ids,      &cut_8,   &cut_16};
+    &parent,         &by_first,     &near_ids,      &cut_8,   &cut_16};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
