@@ -90,6 +90,17 @@ done
 "$holes" read solutions/01-naive-2d/overlaps_N_Nearer.cl none-such >"$said" 2>"$said.err"
 ok $(($? == 0)) "a task that is not there cannot be read"
 
+# Two wrong answers: what the second one's run alone shows is said, with its cause.
+copy_lab solutions 03-kdtree-2d-render
+for answer in getContainingChild:left-right-swapped leaf_loop:red-blue-swapped; do
+    answer implicit2DRenderer_KD.cl "${answer%:*}" <"tests/mutants/03-kdtree-2d-render/${answer#*:}.cl"
+done
+# shellcheck disable=SC2046,SC2086 # options
+check "two wrong answers have the points of the third task" grades 1 35 $(kept 03) $submission
+check "the first one's mistake is named" grep -q "left and right are swapped" "$said"
+check "and the second one's, found alone" grep -q "tested alone: random scene" "$said"
+check "with its cause" grep -q "red and blue swapped" "$said"
+
 # ---- What make says ------------------------------------------------------------------------------
 
 # make_grade STATUS OPTION...: in the course's top folder, by what is built there.
