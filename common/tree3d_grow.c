@@ -221,8 +221,7 @@ static const char *close_node(Builder *builder, u32 id, const KdOpenNode *node,
     }
     return builder->steps->fits_todo(node->level)
                ? close_as_inner(builder, id, node, division, next)
-               : "the tree would be too deep for the todo stack (TODO_SIZE)" ADVICE
-                 ", or see why so few nodes become leaves";
+               : "the tree would be too deep for the todo stack (TODO_SIZE)" ADVICE;
 }
 
 // Has the tree, with the level that comes next, grown too large? Returns NULL, or how.
