@@ -36,9 +36,12 @@ static int diagnostic_read(const char *line, Diagnostic *diagnostic)
             // PoCL's functions are macros: " <Spelling=...>" is their place, not the student's.
             const char *end = strncmp(text, " <Spelling=", 11) == 0 ? strchr(text, '>') : NULL;
             text = end != NULL ? end + 1 : text;
+            if (strncmp(text, ": ", 2) != 0) {
+                return 0;
+            }
             strcpy(diagnostic->severity, severity);
             diagnostic->text = text + 2;
-            return strncmp(text, ": ", 2) == 0;
+            return 1;
         }
     }
     return 0;

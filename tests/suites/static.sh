@@ -34,7 +34,8 @@ done
 clang=$(command -v clang || command -v clang-15 || command -v clang-19)
 # A file that others include is checked by itself, so its static functions have no caller.
 # A kernel's own folder comes first, so that the same name in another lab does no harm.
-includes="-I kernels -I tests/probes -I ${BUILD:-build}"
+sh tests/probes/no_macros.sh >"$scratch/no_macros.h"
+includes="-I kernels -I tests/probes -I $scratch"
 for folder in solutions/*/ tests/probes/*/; do
     includes="$includes -I $folder"
 done

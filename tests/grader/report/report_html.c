@@ -111,7 +111,7 @@ static void stages_write(FILE *page, const Result *result)
                 stage->status == CHECK_PASSED ? "•" : status_mark(stage->status));
         html_line(page, stage->title);
         fprintf(page, "</span></div><span class=\"number\">%s</span>\n",
-                stage->status == CHECK_PASSED   ? "a remark"
+                stage->status == CHECK_PASSED   ? "note"
                 : stage->status == CHECK_FAILED ? "failed"
                                                 : "not run");
         html_message(page, stage->message);

@@ -29,7 +29,7 @@ typedef struct Function {
     const char *section;  // of the answers
     int n;                // how many there are in all ranges together
     size_t answer_bytes;  // of one
-    size_t inputs;        // where in the job that begins which the functions below get for it
+    size_t inputs;        // offset in the job: the functions below get what begins there as `job`
 
     // Is answer number i right? A wrong one is described, "...: found 1, expected 2", owned by the
     // caller; how many are wrong is counted.
