@@ -87,3 +87,4 @@ grade: grader  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DE
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
 	    $(if $(TASK),--task "$$TASK",$(if $(ALL),,--first)) $(verdict_is_no_fault)
+	$(if $(SUBMISSION),,@$(OUT)/tools/desk note --build $(OUT) --lab $(graded_lab) || true)

@@ -125,7 +125,8 @@ Test(manifest, a_lab_may_have_a_leaderboard)
     }
 }
 
-#define DESK(fields) "{\"title\": \"T\", " FILES ", \"tasks\": [" TASK_A ", " TASK_B "], " fields "}"
+#define DESK(fields)                                                                               \
+    "{\"title\": \"T\", " FILES ", \"tasks\": [" TASK_A ", " TASK_B "], " fields "}"
 #define MORE(hints)                                                                                \
     "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", \"points\": {\"a\": 100}, "            \
     "\"hint\": \"h\", \"more_hints\": " hints "}"

@@ -46,9 +46,9 @@ typedef struct Manifest {
     int n_tasks;
     char *leaderboard;  // what a figure counts that no points depend on: "times as fast as ...";
                         // NULL in a lab without a race (run/race.h)
-    int hours;     // planned for it; 0 where nothing is said
-    char *look;    // options with which its program draws in a moment; NULL: none
-    char *figure;  // in slides-notes/figures: what a right answer draws with them; NULL: none
+    int hours;          // planned for it; 0 where nothing is said
+    char *look;         // options with which its program draws in a moment; NULL: none
+    char *figure;       // in slides-notes/figures: what a right answer draws with them; NULL: none
 } Manifest;
 
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a
