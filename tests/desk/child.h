@@ -10,10 +10,10 @@ typedef enum ChildOutput {
 } ChildOutput;
 
 typedef struct Child {
-    pid_t pid;         // 0: none runs
-    int output;        // to read from, or -1
-    double start_ms;   // stats_clock_ms()
-    char *said;        // what was read so far, NUL-terminated; owned
+    pid_t pid;        // 0: none runs
+    int output;       // to read from, or -1
+    double start_ms;  // stats_clock_ms()
+    char *said;       // what was read so far, NUL-terminated; owned
     size_t said_bytes;
 } Child;
 

@@ -8,11 +8,11 @@
 #include "manifest.h"
 
 typedef struct Desk {
-    const char *build;     // the build folder
-    const char *make;      // the program that builds
-    const Manifest *lab;   // the one that is asked for
-    const char *options;   // of its program, in place of the manifest's `look`; NULL: those
-    const char *device;    // NULL: the first
+    const char *build;    // the build folder
+    const char *make;     // the program that builds
+    const Manifest *lab;  // the one that is asked for
+    const char *options;  // of its program, in place of the manifest's `look`; NULL: those
+    const char *device;   // NULL: the first
 } Desk;
 
 #endif

@@ -59,11 +59,10 @@ int record_note(const json_t *results)
     {
         json_object_set_new(tasks, text_of(one, "id"), json_integer(number_of(one, "points")));
     }
-    json_object_set_new(
-        record, lab,
-        json_pack("{s:o, s:i, s:i, s:i, s:o, s:s, s:s, s:i}", "when", time_now(), "score", score,
-                  "best", score > best ? score : best, "max_score",
-                  number_of(results, "max_score"), "tasks", tasks, "task", task, "check", check,
-                  "hints", is_same ? number_of(old, "hints") : 0));
+    json_object_set_new(record, lab,
+                        json_pack("{s:o, s:i, s:i, s:i, s:o, s:s, s:s, s:i}", "when", time_now(),
+                                  "score", score, "best", score > best ? score : best, "max_score",
+                                  number_of(results, "max_score"), "tasks", tasks, "task", task,
+                                  "check", check, "hints", is_same ? number_of(old, "hints") : 0));
     return record_save(record);
 }

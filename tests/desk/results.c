@@ -63,8 +63,7 @@ void results_compare(const json_t *before, const json_t *now,
     json_t *check;
     json_array_foreach(json_object_get(now, "checks"), i, check)
     {
-        const int difference =
-            number_of(check, "points") - points_in(before, text_of(check, "id"));
+        const int difference = number_of(check, "points") - points_in(before, text_of(check, "id"));
         if (difference != 0) {
             tell(context, check, difference);
         }

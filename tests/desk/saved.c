@@ -48,8 +48,8 @@ void saved_look(const char *folder, SavedFiles *files)
         snprintf(files->names[f], sizeof files->names[f], "%s",
                  strrchr(found.gl_pathv[i], '/') + 1);
         files->sums[f] = sum_file(found.gl_pathv[i]);
-        files->sum = sum_bytes(files->sum, (const unsigned char *)files->names[f],
-                               strlen(files->names[f]));
+        files->sum =
+            sum_bytes(files->sum, (const unsigned char *)files->names[f], strlen(files->names[f]));
         files->sum =
             sum_bytes(files->sum, (const unsigned char *)&files->sums[f], sizeof files->sums[f]);
     }

@@ -13,8 +13,9 @@
 // Hint `i` of a fault; NULL where there are fewer.
 static const char *hint_at(const Task *task, const char *check, int i)
 {
-    return i == 0 ? manifest_hint(task, check)
-                  : i <= MANIFEST_MORE_HINTS ? task->more_hints[i - 1] : NULL;
+    return i == 0                     ? manifest_hint(task, check)
+           : i <= MANIFEST_MORE_HINTS ? task->more_hints[i - 1]
+                                      : NULL;
 }
 
 int tell_hint(const Manifest *lab)
@@ -27,10 +28,11 @@ int tell_hint(const Manifest *lab)
     const char *check = text_of(entry, "check");
     const Task *task = manifest_task(lab, text_of(entry, "task"));
     if (task == NULL) {
-        printf(entry != NULL && check[0] == '\0'
-                   ? "Lab %.2s had every point when it was last graded: there is no hint to give.\n"
-                   : "A hint is for the first fault that was found: run make grade LAB=%.2s first.\n",
-               lab->lab);
+        printf(
+            entry != NULL && check[0] == '\0'
+                ? "Lab %.2s had every point when it was last graded: there is no hint to give.\n"
+                : "A hint is for the first fault that was found: run make grade LAB=%.2s first.\n",
+            lab->lab);
         json_decref(record);
         return 1;
     }
@@ -77,8 +79,8 @@ static int lab_points(const Manifest *lab)
     return points;
 }
 
-// A line of one lab. What is next is the first open task of the lab that was graded last, or else of
-// the first open lab after it.
+// A line of one lab. What is next is the first open task of the lab that was graded last, or else
+// of the first open lab after it.
 static void lab_print(const Manifest *lab, const json_t *entry, Sum *sum)
 {
     const json_t *tasks = json_object_get(entry, "tasks");
@@ -97,7 +99,10 @@ static void lab_print(const Manifest *lab, const json_t *entry, Sum *sum)
     }
     printf("  %-28s %8s  %d of %d", lab->lab, points, n_done, lab->n_tasks);
     printf(lab->hours > 0 ? "  %4d  " : "        ", lab->hours);
-    printf("%s%s\n", open == NULL ? "done" : entry != NULL ? "next: " : "",
+    printf("%s%s\n",
+           open == NULL    ? "done"
+           : entry != NULL ? "next: "
+                           : "",
            open != NULL && entry != NULL ? open : "");
     const char *when = text_of(entry, "when");
     const int is_later = entry != NULL && strcmp(when, sum->last_when) >= 0;

@@ -2,8 +2,8 @@
 //
 // One loop looks at the files, at what runs and at the keys. A save starts a round: compile, draw,
 // grade. One command runs at a time; a save in the middle of a round ends it and starts the next.
-// Only one's own code is watched, so drawing runs it as the student does, and grading in the sandbox.
-// Read next: saved.h, child.h, watch_page.h.
+// Only one's own code is watched, so drawing runs it as the student does, and grading in the
+// sandbox. Read next: saved.h, child.h, watch_page.h.
 #include "watch.h"
 
 #include "child.h"
@@ -40,8 +40,8 @@ enum {
     MOST_WORDS = 32,
 };
 
-// Rounding may end otherwise on another device: half a step of a channel in a file, and this share of
-// the pixels of a scene in 3D, where it decides what is seen.
+// Rounding may end otherwise on another device: half a step of a channel in a file, and this share
+// of the pixels of a scene in 3D, where it decides what is seen.
 #define TOLERANCE (1.5F / 255)
 #define EXCEPTIONS_PER_PIXEL 0.002
 
@@ -52,17 +52,17 @@ typedef struct Watch {
     char folder[PATH_MAX];   // of the page
     char results[PATH_MAX];  // the grader's
     char program[PATH_MAX], picture[PATH_MAX], make_target[PATH_MAX];
-    char seed[24];           // the same for every save: what is gained and lost is the student's
-    SavedFiles seen;         // at the last look
-    double seen_ms;          // since when they are so
-    SavedFiles taken;        // that the last round began with
+    char seed[24];     // the same for every save: what is gained and lost is the student's
+    SavedFiles seen;   // at the last look
+    double seen_ms;    // since when they are so
+    SavedFiles taken;  // that the last round began with
     Step step;
     Child child;
-    Image figure;            // what a right answer draws; no pixels where there is none
-    json_t *before, *now;    // verdicts
+    Image figure;          // what a right answer draws; no pixels where there is none
+    json_t *before, *now;  // verdicts
     char *state, *said, *changes, *command;  // of the news; owned
     News news;
-    char keys[8];                  // that wait for the round's end
+    char keys[8];  // that wait for the round's end
     int n_keys;
     double start_ms, round_ms;
 } Watch;
@@ -167,8 +167,8 @@ static void start_grading(Watch *watch, int is_everything)
     start(watch, STEP_GRADING, words, CHILD_SHOWS);
 }
 
-// The command that follows the first wrong pixel of the open scene, to copy; NULL where there is none,
-// or the lab has nothing to follow. Owned by the caller.
+// The command that follows the first wrong pixel of the open scene, to copy; NULL where there is
+// none, or the lab has nothing to follow. Owned by the caller.
 static char *pixel_command(const Watch *watch)
 {
     char steps[PATH_MAX];
@@ -185,8 +185,8 @@ static char *pixel_command(const Watch *watch)
 static void start_pixel(Watch *watch)
 {
     char *lab = message_new("LAB=%.2s", watch->desk->lab->lab);
-    char *at = message_new("AT=%d,%d", watch->news.difference.first_x,
-                           watch->news.difference.first_y);
+    char *at =
+        message_new("AT=%d,%d", watch->news.difference.first_x, watch->news.difference.first_y);
     char *options = message_new("OPTIONS=%s", look(watch));
     char *words[] = {
         (char *)watch->desk->make, "-s", "--no-print-directory", "pixel", lab, at, options, NULL};
@@ -218,8 +218,8 @@ static double seconds_of_round(const Watch *watch)
     return (stats_clock_ms() - watch->round_ms) / 1000;
 }
 
-// The words are the compiler's, about a host file or a kernel. They are the news: a grading would only
-// say them again.
+// The words are the compiler's, about a host file or a kernel. They are the news: a grading would
+// only say them again.
 static void tell_uncompiled(Watch *watch)
 {
     printf("   does not compile (%.1f s)\n", seconds_of_round(watch));
@@ -285,9 +285,9 @@ static void drawing_ended(Watch *watch, int status, int is_late)
         } else if (news->difference.n_different == 0) {
             told = message_new("compiles; the picture is as it should be");
         } else {
-            told = message_new("compiles; %d pixels of the picture are wrong, the first is (%d, %d)",
-                               news->difference.n_different, news->difference.first_x,
-                               news->difference.first_y);
+            told = message_new(
+                "compiles; %d pixels of the picture are wrong, the first is (%d, %d)",
+                news->difference.n_different, news->difference.first_x, news->difference.first_y);
         }
     }
     printf("   %s (%.1f s)\n", told, seconds_of_round(watch));
@@ -351,10 +351,18 @@ static void grading_ended(Watch *watch, int status)
 static void step_ended(Watch *watch, int status)
 {
     switch (watch->step) {
-    case STEP_COMPILING: compiling_ended(watch, status); break;
-    case STEP_DRAWING: drawing_ended(watch, status, 0); break;
-    case STEP_GRADING: grading_ended(watch, status); break;
-    default: watch->step = STEP_NONE; keys_print();
+    case STEP_COMPILING:
+        compiling_ended(watch, status);
+        break;
+    case STEP_DRAWING:
+        drawing_ended(watch, status, 0);
+        break;
+    case STEP_GRADING:
+        grading_ended(watch, status);
+        break;
+    default:
+        watch->step = STEP_NONE;
+        keys_print();
     }
 }
 
@@ -402,13 +410,17 @@ static void answer(Watch *watch, char key)
             printf("%s\n", watch->command);
             start_pixel(watch);
         } else {
-            printf("   no wrong pixel of the open scene is known, or this lab has none to follow\n");
+            printf(
+                "   no wrong pixel of the open scene is known, or this lab has none to follow\n");
             keys_print();
         }
         break;
     case '\n':
-    case '\r': round_begin(watch, "again"); break;
-    default: keys_print();
+    case '\r':
+        round_begin(watch, "again");
+        break;
+    default:
+        keys_print();
     }
     fflush(stdout);
 }
@@ -459,7 +471,8 @@ static void watch_loop(Watch *watch, int signals)
     }
 }
 
-// Keys without Enter and without echo. Returns 1 where there is a terminal, which `before` describes.
+// Keys without Enter and without echo. Returns 1 where there is a terminal, which `before`
+// describes.
 static int terminal_begin(struct termios *before)
 {
     if (!isatty(STDIN_FILENO) || tcgetattr(STDIN_FILENO, before) != 0) {

@@ -48,7 +48,8 @@ static void said_write(FILE *page, const News *news)
 
 static void picture_write(FILE *page, const char *name, const char *words, int number)
 {
-    fprintf(page, "<figure><figcaption>%s</figcaption><img src=\"%s.png?%d\" alt=\"%s\"></figure>\n",
+    fprintf(page,
+            "<figure><figcaption>%s</figcaption><img src=\"%s.png?%d\" alt=\"%s\"></figure>\n",
             words, name, number, words);
 }
 
@@ -96,8 +97,11 @@ static void verdict_write(FILE *page, const News *news, const char *report)
     {
         const int points = number_of(task, "points"), most = number_of(task, "max_points");
         const int is_first = strcmp(text_of(fault, "task"), text_of(task, "id")) == 0;
-        fprintf(page, "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
-                points == most ? "passed" : is_first ? "failed" : "not-run",
+        fprintf(page,
+                "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
+                points == most ? "passed"
+                : is_first     ? "failed"
+                               : "not-run",
                 points == most ? "&#10003;" : "&#10007;");
         html_line(page, text_of(task, "title"));
         fputs("</span> <code class=\"id\">", page);

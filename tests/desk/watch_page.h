@@ -17,12 +17,12 @@ typedef struct Verdict {
 
 // What the watch knows now. Texts are any text.
 typedef struct News {
-    int number;             // of this news
-    const char *state;      // one line: what is done now, or what came of it
-    const char *said;       // the words of the compiler or the program; "" where there are none
-    const char *command;    // that follows the first wrong pixel, or NULL
-    const char *changes;    // gained and lost, a line each; ""
-    int has_picture;        // picture.png is there; and expected.png and difference.png:
+    int number;           // of this news
+    const char *state;    // one line: what is done now, or what came of it
+    const char *said;     // the words of the compiler or the program; "" where there are none
+    const char *command;  // that follows the first wrong pixel, or NULL
+    const char *changes;  // gained and lost, a line each; ""
+    int has_picture;      // picture.png is there; and expected.png and difference.png:
     int has_figure;
     ImageDifference difference;  // of the two
     const json_t *results;       // of the last verdict, or NULL

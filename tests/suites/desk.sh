@@ -99,9 +99,9 @@ sed 's/color = /color = 1 - /' "$right" >"$file"
 more_rounds() { [ "$(rounds)" -gt "$rounds_before" ]; }
 await more_rounds
 cp "$right" "$file"
-right_again() { last "Score 100/100" >/dev/null; }
-await right_again
-check "a save in the middle of a round is not missed" [ "$(grep -c 'not graded to its end' "$log")" -ge 1 ]
+await done_after "$before"
+check "a save in the middle of a round ends it" [ "$(grep -c 'not graded to its end' "$log")" -ge 1 ]
+check "and is not missed" last "Score 100/100"
 
 kill -INT "$watch"
 wait "$watch"
