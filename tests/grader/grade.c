@@ -238,6 +238,7 @@ static int grade(Grading *grading, const Settings *settings)
     if (grading_retry(grading) != 0) {
         return -1;
     }
+    session->allowance.is_looping = grading->whole.is_endless;
     add_run_stages(grading);
     if (grading_judge(grading) != 0) {
         return -1;
