@@ -52,8 +52,8 @@ static const char *task_of_line(const Memcheck *memcheck, const char *name, int 
     char *text = text_file_read(path);
     for (int i = 0; text != NULL && found == NULL && i < manifest->n_tasks; i++) {
         const Task *task = &manifest->tasks[i];
-        found = strcmp(task->file, name) == 0 && hole_has_line(text, task->id, line) ? task->id
-                                                                                      : NULL;
+        found =
+            strcmp(task->file, name) == 0 && hole_has_line(text, task->id, line) ? task->id : NULL;
     }
     free(text);
     return found;

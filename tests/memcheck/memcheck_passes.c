@@ -136,10 +136,9 @@ static void findings_read(Memcheck *memcheck)
 // Where a pass was, as its probe noted it: its inputs are others than the judge's.
 static void print_place(Memcheck *memcheck, const Pass *pass)
 {
-    char folder[PATH_MAX], path[PATH_MAX];
+    char folder[PATH_MAX];
     out_path(memcheck, &memcheck->whole, pass, folder);
-    path_make(path, "%s/note", folder);
-    const ProbeNote note = run_note_load(path);
+    const ProbeNote note = run_note_load(folder);
     RunPlace place = run_place_before(&note);
     if (place.where[0] == '\0') {
         place = judge_place(&memcheck->session.judge, &note);

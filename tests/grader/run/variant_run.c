@@ -51,7 +51,7 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
 static int has_only_built(const Workshop *workshop, const Variant *variant)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    path_make(path, "%s/variant-%s/out", workshop->folder, variant->name);
     const ProbeNote note = run_note_load(path);
     const char *name;
     size_t place = 0, n_bytes;
@@ -66,7 +66,7 @@ static int has_only_built(const Workshop *workshop, const Variant *variant)
 static void take_place(const Workshop *workshop, Variant *variant)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    path_make(path, "%s/variant-%s/out", workshop->folder, variant->name);
     if (variant->alone == NULL) {
         variant->note = run_note_load(path);
         variant->place = run_place_before(&variant->note);
