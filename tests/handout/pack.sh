@@ -94,10 +94,10 @@ done
 cp tests/handout/judge.mk "$root/tests/judge/"
 
 # A submission may take a multiple of the time of our solution, which is not in here
-# (tests/grader/run/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.
+# (tests/grader/run/allowance.h). Rounded up to 2, 8 or 32, it is mostly the same on every machine.
 seconds=$("$grade" --build "$(dirname "$1")" --lab "$lab" --seed 1 --time-solution) || fail "the solution of $lab cannot be timed"
 mkdir -p "$root/tests"
-echo "$seconds" | awk '{ for (most = 4; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"
+echo "$seconds" | awk '{ for (most = 2; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"
 
 # ---- Its README -------------------------------------------------------------------------------
 

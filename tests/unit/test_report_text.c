@@ -56,13 +56,42 @@ Test(report_text, tells_one_task_at_a_time)
     expect_part(text, "found 0, expected 1");
     expect_no_part(text, "found black");
     expect_part(text, "\n 1 more task fails; TASK=implicit2DRenderer shows it, ALL=1 everything\n"
+                      "\n Next: overlaps_N_Nearer in overlaps_N_Nearer.cl\n"
                       "\n Score 25/100\n");
     free(text);
     text = told_report(&result, "implicit2DRenderer");
     expect_part(text, "found black, expected red");
     expect_no_part(text, "found 0");
-    expect_no_part(text, "Next:");
+    expect_part(text, "\n Next: implicit2DRenderer in implicit2DRenderer.cl\n");
     expect_part(text, " 1 more task fails; TASK=overlaps_N_Nearer shows it");
+    free(text);
+    result_free(&result);
+}
+
+// Whatever came out, there is one thing to do next.
+Test(report_text, names_the_next_step)
+{
+    Result result = result_make("found 0, expected 1");
+    result.stages[0] = (StageResult){"Compiling", CHECK_FAILED, NULL};
+    char *text = told_report(&result, NULL);
+    expect_part(text, "\n Next: correct what \"Compiling\" says above, then grade again\n\n Score");
+    free(text);
+    result.stages[0] = (StageResult){"Running", CHECK_FAILED, NULL};
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: overlaps_N_Nearer in overlaps_N_Nearer.cl\n");
+    free(text);
+    check_pass(&result.checks[1]);
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: implicit2DRenderer in implicit2DRenderer.cl\n");
+    free(text);
+    check_pass(&result.checks[2]);
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: correct what \"Running\" says above, then grade again\n");
+    free(text);
+    result.stages[0] = (StageResult){"Running", CHECK_PASSED, NULL};
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: nothing is missing; hand in overlaps_N_Nearer.cl and "
+                      "implicit2DRenderer.cl\n");
     free(text);
     result_free(&result);
 }
