@@ -1,7 +1,7 @@
 #!/bin/sh
 # Install the packages of packages.txt that are missing for one target of make.
 #
-#     common/setup/install.sh grade|view|notes|demo|test|bench|scale|handout
+#     common/setup/install.sh grade|view|editor|notes|demo|test|bench|scale|handout
 #
 # Does nothing and says nothing when all are there. Without apt it prints the list and stops.
 set -eu

@@ -181,6 +181,15 @@ finished() {
     [ "$named" = "$([ -d "$1/solutions" ] && echo yes || echo no)" ] || { echo "labs before: $named"; return 1; }
 }
 
+# edited FOLDER: does clangd, by what the handout tells it, find no fault in the lab's files?
+edited() {
+    find "$1/labs" -name '*.[ch]*' >"$scratch/sources"
+    while IFS= read -r file; do
+        clangd --check="$file" --check-lines=1-1 >"$scratch/said" 2>&1 || { grep '^E' "$scratch/said"; return 1; }
+    done <"$scratch/sources"
+    [ -s "$scratch/sources" ]
+}
+
 # The commands that its READMEs name: does make know each target?
 commands() {
     grep -h -o 'make [A-Za-z][A-Za-z0-9_/=. -]*' "$1/README.md" "$1/labs/$2/README.md" |
@@ -227,6 +236,11 @@ for lab in $labs; do
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
+    if command -v clangd >/dev/null; then
+        check "$lab: editors understand its files" edited "$scratch/$lab"
+    else
+        skip "$lab: editors understand its files" "clangd is not installed"
+    fi
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
 done
 owners=$(tar -tvzf "$scratch/first/$lab.tar.gz" --numeric-owner | awk '{ print $2, $4 }' | sort -u)
