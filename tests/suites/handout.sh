@@ -205,6 +205,14 @@ commands() {
     [ ! -s "$scratch/unknown" ]
 }
 
+# counts FOLDER LAB: would the first make grade say each step once, from 1 to the number that it says there are?
+counts() {
+    alone "$1" make --dry-run grade LAB="${2%%-*}" >"$scratch/said" 2>&1 || { tail -n 5 "$scratch/said"; return 1; }
+    sed -n "s/.*printf '[^']*' 'building the course once: \([0-9]* of [0-9]*\)'.*/\1/p" "$scratch/said" >"$scratch/steps"
+    n_steps=$(wc -l <"$scratch/steps")
+    seq -f "%g of $n_steps" 1 "$n_steps" | diff - "$scratch/steps" && [ "$n_steps" -gt 50 ]
+}
+
 # alone FOLDER COMMAND...: run it there with nothing of this make's or of the course's variables.
 alone() {
     where=$1
@@ -236,6 +244,7 @@ for lab in $labs; do
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
+    check "$lab: the first make grade counts its steps" counts "$scratch/$lab" "$lab"
     if command -v clangd >/dev/null; then
         check "$lab: editors understand its files" edited "$scratch/$lab"
     else
