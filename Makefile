@@ -8,7 +8,7 @@
 # "$$NAME"; a makefile only asks whether it is set, $(if $(NAME),...), or picks a name of ours with it,
 # $(filter $(NAME),...). The suite static looks for a variable that is missing here.
 FROM_OUTSIDE := LAB SUBMISSION TASK ALL SEED DEVICE TIME_LIMIT FORMAT AT OPTIONS SOLUTION SUBMISSIONS OUTPUT ENGINE ONLY JOBS \
-    AGAIN MOODLE AGAINST NOTHING ROUNDS N ORDER TARGET SECONDS V SANITIZE BUILD
+    AGAIN JSON MOODLE AGAINST NOTHING ROUNDS N ORDER TARGET SECONDS V SANITIZE BUILD
 # Whoever sets these names commands: they are the only ones that become text of a recipe.
 FROM_OUTSIDE += CLANG LDFLAGS FUZZ_OPTIONS
 is_from_outside = $(or $(findstring command,$(origin $(1))),$(and $(filter $(1),$(FROM_OUTSIDE)),$(findstring environment,$(origin $(1)))))
@@ -113,9 +113,12 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 
 # ---- For people -----------------------------------------------------------------------------
 
-.PHONY: setup help clean
+.PHONY: setup doctor help clean
 setup:  ## install what building, grading and make view need, as root or through sudo
 	@for what in $(setup_for) view; do common/setup/install.sh $$what || exit 1; done
+
+doctor:  ## look at this machine, and name one command for each thing that is wrong [JSON=1]
+	@common/setup/doctor.sh --for $(setup_for) $(if $(JSON),--json)
 
 # One pixel; windows; the grader; and, where they are, its judge, memcheck, all that is for authors,
 # and the notes. A handout has not all of it.

@@ -62,7 +62,7 @@ $(RACES): $(OUT)/probes/%-race: $(OUT)/obj/tests/probes/%/race.c.o $(call object
 $(OUT)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/libcommon.a
 	$(call link,-lOpenCL -lm)
 
-.PHONY: grader lab-grader grade
+.PHONY: grader graded lab-grader grade
 grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h $(PROBES) $(RACES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
 # Which packages `make setup` installs (common/setup/packages.txt): what a handout needs. The course needs more.
@@ -71,16 +71,19 @@ setup_for = grade
 # The name of the lab that is asked for as LAB=3, LAB=03 or by its name; empty where there is none.
 graded_lab = $(if $(or $(findstring %,$(LAB)),$(word 2,$(LAB))),,$(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)))
 say_which_lab = test -n "$$LAB" || { echo "make $@: say which lab: make $@ LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
-# The grader of one lab: what a bundle for another system builds.
-lab-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES))
+# The grader of one lab: what a bundle for another system builds, and whoever grades.
+lab_grader = $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h \
+    $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES)) \
+    $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
+graded: $(lab_grader)
+lab-grader: graded
 	@test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
-lab-grader: $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
 
 # Status 1 is a verdict, such as points that are missing, and no error of make.
 verdict_is_no_fault = || test $$? -eq 1
 
 # Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
-grade: grader  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1]
+grade: graded  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1]
 	@$(say_which_lab)
 	$(if $(and $(FORMAT),$(graded_lab)),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
 	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \

@@ -47,7 +47,7 @@ copy() {
 
 # ---- What goes in -----------------------------------------------------------------------------
 
-git ls-files -- common kernels LICENSE Makefile .clang-format .editorconfig .gitattributes .gitignore | copy
+git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .editorconfig .gitattributes .gitignore | copy
 
 # The skeleton is cut anew: in labs/ somebody may have tried the tasks.
 tests/tools/cut_labs.sh "$holes" "$stage/cut/labs"

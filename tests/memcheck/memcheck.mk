@@ -6,7 +6,7 @@ $(OUT)/tools/memcheck: $(call objects,$(MEMCHECK_SOURCES)) $(OUT)/libgrader.a $(
 
 grader: $(OUT)/tools/memcheck
 .PHONY: memcheck
-memcheck: grader  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
+memcheck: graded $(OUT)/tools/memcheck  ## look for indices out of range, unset values and races: LAB=03 [SUBMISSION=folder]
 	@$(say_which_lab)
 	@$(OUT)/tools/memcheck --build $(OUT) --lab "$$LAB" \
 	    $(if $(SUBMISSION),--submission "$$SUBMISSION") $(if $(SEED),--seed "$$SEED") \

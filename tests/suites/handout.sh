@@ -181,6 +181,15 @@ finished() {
     [ "$named" = "$([ -d "$1/solutions" ] && echo yes || echo no)" ] || { echo "labs before: $named"; return 1; }
 }
 
+# edited FOLDER: does clangd, by what the handout tells it, find no fault in the lab's files?
+edited() {
+    find "$1/labs" -name '*.[ch]*' >"$scratch/sources"
+    while IFS= read -r file; do
+        clangd --check="$file" --check-lines=1-1 >"$scratch/said" 2>&1 || { grep '^E' "$scratch/said"; return 1; }
+    done <"$scratch/sources"
+    [ -s "$scratch/sources" ]
+}
+
 # The commands that its READMEs name: does make know each target?
 commands() {
     grep -h -o 'make [A-Za-z][A-Za-z0-9_/=. -]*' "$1/README.md" "$1/labs/$2/README.md" |
@@ -194,6 +203,14 @@ commands() {
     done >"$scratch/unknown"
     cat "$scratch/unknown"
     [ ! -s "$scratch/unknown" ]
+}
+
+# counts FOLDER LAB: would the first make grade say each step once, from 1 to the number that it says there are?
+counts() {
+    alone "$1" make --dry-run grade LAB="${2%%-*}" >"$scratch/said" 2>&1 || { tail -n 5 "$scratch/said"; return 1; }
+    sed -n "s/.*printf '[^']*' 'building the course once: \([0-9]* of [0-9]*\)'.*/\1/p" "$scratch/said" >"$scratch/steps"
+    n_steps=$(wc -l <"$scratch/steps")
+    seq -f "%g of $n_steps" 1 "$n_steps" | diff - "$scratch/steps" && [ "$n_steps" -gt 50 ]
 }
 
 # alone FOLDER COMMAND...: run it there with nothing of this make's or of the course's variables.
@@ -227,6 +244,12 @@ for lab in $labs; do
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
+    check "$lab: the first make grade counts its steps" counts "$scratch/$lab" "$lab"
+    if command -v clangd >/dev/null; then
+        check "$lab: editors understand its files" edited "$scratch/$lab"
+    else
+        skip "$lab: editors understand its files" "clangd is not installed"
+    fi
     check "$lab: make knows the commands of its READMEs" commands "$scratch/$lab" "$lab"
 done
 owners=$(tar -tvzf "$scratch/first/$lab.tar.gz" --numeric-owner | awk '{ print $2, $4 }' | sort -u)

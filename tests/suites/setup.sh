@@ -30,6 +30,36 @@ done
 [ -z "$missing" ]
 ok $? "and prints the whole list" "not named:$missing"
 
+check "--print says the same on one line" runs 0 "$bare" --print demo
+# shellcheck disable=SC2086,SC2116 # the list on one line
+[ "$(cat "$scratch/said")" = "$(echo $needed)" ]
+ok $? "and nothing else" "$(cat "$scratch/said")"
+
+# Fedora and Arch: the command, with their names, of what their package managers do not have.
+elsewhere=$scratch/elsewhere
+cp -R "$bare" "$elsewhere"
+ln -s "$(command -v tr)" "$elsewhere/tr"
+printf '#!/bin/sh\nexit 1\n' >"$elsewhere/dnf"
+# shellcheck disable=SC2016 # for the script that is written
+printf '#!/bin/sh\n[ "$3" = make ]\n' >"$elsewhere/rpm"
+chmod +x "$elsewhere/dnf" "$elsewhere/rpm"
+check "with dnf it stops, too" runs 1 "$elsewhere" grade
+check "and names the command, with Fedora's names, of what is missing" \
+    grep -q '^    sudo dnf install gcc gcc-c++ glibc-devel pkgconf-pkg-config ocl-icd-devel pocl ' "$scratch/said"
+mv "$elsewhere/dnf" "$elsewhere/pacman"
+mv "$elsewhere/rpm" "$elsewhere/rpm-of-fedora"
+check "with pacman, --print" runs 0 "$elsewhere" --print grade
+[ "$(sed -n 2p "$scratch/said" | cut -c 1-63)" = "sudo pacman -S --needed make gcc pkgconf ocl-icd opencl-headers" ]
+ok $? "names the command with Arch's names" "$(cat "$scratch/said")"
+for target in grade view demo editor; do
+    # shellcheck disable=SC2013 # words are wanted
+    for package in $(awk -v target=$target '!/^#/ && index("," $2 ",", "," target ",") { print $1 }' common/setup/packages.txt); do
+        grep -q "^$package  *[^ ]*  *[^ ]*$" common/setup/packages-elsewhere.txt || echo "$package"
+    done
+done >"$scratch/unnamed"
+[ ! -s "$scratch/unnamed" ]
+ok $? "packages-elsewhere.txt has a line for each package of students" "$(cat "$scratch/unnamed")"
+
 # A package database in which nothing is installed, a user who is not root, and no sudo.
 printf '#!/bin/sh\nexit 1\n' >"$bare/dpkg-query"
 # shellcheck disable=SC2016 # for the script that is written

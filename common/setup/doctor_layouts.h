@@ -1,0 +1,16 @@
+// The structures that host and device share, each with its last field, for doctor_device.c and
+// doctor_layouts.cl, which define LAYOUT. No include guard: it is read more than once.
+LAYOUT(BBox2D, maxY)
+LAYOUT(BBox3D, max)
+LAYOUT(Camera, fov)
+LAYOUT(Circle, a)
+LAYOUT(KdNode3, n_spheres)
+LAYOUT(Light, color)
+LAYOUT(Material, refraction)
+LAYOUT(NodeRel, circleMapOffset)
+LAYOUT(Sphere, radius)
+LAYOUT(TileCircle, color)
+LAYOUT(TileNode, n_circles)
+LAYOUT(TodoEntry, t_max)
+LAYOUT(Vec3, z)
+LAYOUT(Work, stack_depth)
