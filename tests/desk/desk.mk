@@ -8,7 +8,7 @@ $(OUT)/tools/desk: $(call objects,$(DESK_SOURCES)) $(OUT)/libgrader.a $(OUT)/lib
 grader: $(OUT)/tools/desk
 needs_lab = test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
 .PHONY: watch hint progress
-watch: grader  ## after every save compile, draw and grade: LAB=03 [OPTIONS="--scene ..."] [DEVICE=d]
+watch: graded $(OUT)/tools/desk  ## after every save compile, draw and grade: LAB=03 [OPTIONS="--scene ..."] [DEVICE=d]
 	+@$(say_which_lab); $(needs_lab)
 	@$(OUT)/tools/desk watch --build $(OUT) --make "$(MAKE)" --lab $(graded_lab) $(if $(OPTIONS),--options "$$OPTIONS") $(if $(DEVICE),--device "$$DEVICE")
 hint: $(OUT)/tools/desk  ## one more hint for the first fault of the last grading: LAB=03
