@@ -259,7 +259,6 @@ static int grade(Grading *grading, const Settings *settings)
     }
     add_up_score(&grading->result);
     add_advice(grading);
-    run_race(grading);
     const Answers answers = {grading->whole.number, &grading->whole.answers};
     return judge_add_pictures(&session->judge, answers, &grading->result);
 }
@@ -334,10 +333,11 @@ int main(int argc, char **argv)
     int result = grade(&grading, &settings);
     grading.result.seconds = (stats_clock_ms() - start) / 1000;
     if (result == 0) {
-        result =
-            grading_write(&grading, settings.output,
-                          (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
-                                       .task = settings.task});
+        grading_tell(&grading,
+                     (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
+                                  .task = settings.task});
+        run_race(&grading);  // takes longer than the verdict, for which nobody waits
+        result = grading_write(&grading, settings.output);
     }
     const int full_marks = has_full_marks(&grading);
     grading_free(&grading);

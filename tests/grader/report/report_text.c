@@ -297,8 +297,8 @@ static void tasks_print(TextReport *report, const Manifest *manifest, const Resu
     next_step_print(report, manifest, result, is_wrong ? whole : next != NULL ? next : open);
 }
 
-int report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
-                int colours)
+void report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
+                 int colours)
 {
     TextReport report = {.out = out, .colours = colours};
     for (int i = 0; i < result->n_checks; i++) {
@@ -321,11 +321,17 @@ int report_text(FILE *out, const Manifest *manifest, const Result *result, Repor
     }
     fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
             colour(&report, PLAIN));
+    fflush(out);
+}
+
+int report_text_end(FILE *out, const Manifest *manifest, const Result *result, const char *path)
+{
     if (result->leaderboard != 0) {
         char *counts = line_clean(manifest->leaderboard);
         fprintf(out, " %.1f %s" REPORT_RACE_NOTE "\n", result->leaderboard, counts);
         free(counts);
     }
+    fprintf(out, "Report: %s\n", path);
     if (fflush(out) != 0 || ferror(out)) {
         fprintf(stderr, "report: cannot write the text report\n");
         return -1;
