@@ -36,7 +36,7 @@ enum {
     // An editor may write a file in parts: it is complete when it has stayed the same for so long.
     QUIET_MS = 80,
     // A picture of the open scene takes a second; a student's loop may have no end.
-    MOST_DRAWING_MS = 15 * 1000,
+    MOST_DRAWING_MS = 6 * 1000,
     MOST_WORDS = 32,
 };
 
