@@ -1,6 +1,6 @@
 // desk: what a student asks for beside the grader.
 //
-//     desk note --lab 03       note the last grading in progress.json
+//     desk note --lab 03       note the last grading in progress.json; offer to follow a wrong pixel
 //     desk hint --lab 03       one more hint for the first fault of the last grading
 //     desk progress            labs and tasks with points, and what is next
 //     desk watch --lab 03      after every save compile, draw and grade
@@ -9,6 +9,7 @@
 #include "complain.h"
 #include "course_folder.h"
 #include "desk.h"
+#include "look.h"
 #include "option_table.h"
 #include "path.h"
 #include "record.h"
@@ -19,6 +20,7 @@
 
 #include <getopt.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { EXIT_FAULT = 2 };
@@ -53,13 +55,25 @@ static int print_help(void)
     return standard_output_check() == 0 ? 0 : EXIT_FAULT;
 }
 
-// Returns 0, or -1 after one message.
+// Note what was reached; where a picture is wrong, offer to follow a pixel. Returns 0, or -1 after
+// one message.
 static int note(const Desk *desk)
 {
     char path[PATH_MAX];
     path_make(path, "%s/grade/%.2s/results.json", desk->build, desk->lab->lab);
     json_t *results = results_load(path);
     const int noted = results != NULL ? record_note(results) : -1;
+    // A message that names a pixel names one of a hidden scene: the open one can be followed.
+    if (strstr(text_of(results_first_fault(results), "message"), ": pixel (") != NULL) {
+        Look look;
+        look_open(desk, &look);
+        char *command = look_for_command(&look);
+        if (command != NULL) {
+            printf("See why: %s\n", command);
+        }
+        free(command);
+        look_close(&look);
+    }
     json_decref(results);
     return noted;
 }

@@ -8,7 +8,7 @@
 
 #include "child.h"
 #include "complain.h"
-#include "image.h"
+#include "look.h"
 #include "message.h"
 #include "path.h"
 #include "record.h"
@@ -26,7 +26,6 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/signalfd.h>
-#include <sys/stat.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -35,31 +34,21 @@ enum {
     LOOK_MS = 50,
     // An editor may write a file in parts: it is complete when it has stayed the same for so long.
     QUIET_MS = 80,
-    // A picture of the open scene takes a second; a student's loop may have no end.
-    MOST_DRAWING_MS = 6 * 1000,
-    MOST_WORDS = 32,
 };
-
-// Rounding may end otherwise on another device: half a step of a channel in a file, and this share
-// of the pixels of a scene in 3D, where it decides what is seen.
-#define TOLERANCE (1.5F / 255)
-#define EXCEPTIONS_PER_PIXEL 0.002
 
 typedef enum Step { STEP_NONE, STEP_COMPILING, STEP_DRAWING, STEP_GRADING, STEP_ASKED } Step;
 
 typedef struct Watch {
     const Desk *desk;
-    char folder[PATH_MAX];   // of the page
+    Look look;               // the open scene, and the folder of the page
     char results[PATH_MAX];  // the grader's
-    char program[PATH_MAX], picture[PATH_MAX], make_target[PATH_MAX];
-    char seed[24];     // the same for every save: what is gained and lost is the student's
-    SavedFiles seen;   // at the last look
-    double seen_ms;    // since when they are so
-    SavedFiles taken;  // that the last round began with
+    char seed[24];           // the same for every save: what is gained and lost is the student's
+    SavedFiles seen;         // at the last look
+    double seen_ms;          // since when they are so
+    SavedFiles taken;        // that the last round began with
     Step step;
     Child child;
-    Image figure;          // what a right answer draws; no pixels where there is none
-    json_t *before, *now;  // verdicts
+    json_t *before, *now;                    // verdicts
     char *state, *said, *changes, *command;  // of the news; owned
     News news;
     char keys[8];  // that wait for the round's end
@@ -93,8 +82,9 @@ static void publish(Watch *watch, char *state)
     watch->news.changes = watch->changes;
     watch->news.command = watch->command;
     watch->news.results = watch->now;
+    watch->news.look = &watch->look;
     path_make(report, "../grade/%.2s/report.html", watch->desk->lab->lab);
-    watch_page_write(watch->folder, watch->desk->lab, &watch->news, report);
+    watch_page_write(&watch->news, report);
 }
 
 // Print words of a program, each line under the round's.
@@ -109,43 +99,22 @@ static void said_print(const char *said)
 
 // ---- Steps --------------------------------------------------------------------------------------
 
-static void start(Watch *watch, Step step, char *const words[], ChildOutput output)
+static void start(Watch *watch, Step step, char *const words[])
 {
     fflush(stdout);
-    watch->step = child_start(&watch->child, words, output) == 0 ? step : STEP_NONE;
+    watch->step = child_start(&watch->child, words, CHILD_SHOWS) == 0 ? step : STEP_NONE;
 }
 
 static void start_compiling(Watch *watch)
 {
-    char *words[] = {(char *)watch->desk->make, "-s", "--no-print-directory", watch->make_target,
-                     NULL};
-    start(watch, STEP_COMPILING, words, CHILD_IS_READ);
+    fflush(stdout);
+    watch->step =
+        look_start_building(&watch->look, &watch->child) == 0 ? STEP_COMPILING : STEP_NONE;
 }
 
-static const char *look(const Watch *watch)
-{
-    return watch->desk->options != NULL ? watch->desk->options : watch->desk->lab->look;
-}
-
-// The program with the options of `look`: split at blanks.
 static void start_drawing(Watch *watch)
 {
-    char *words[MOST_WORDS + 6] = {watch->program};
-    char *options = strdup(look(watch));
-    int n = 1;
-    char *rest = NULL;
-    for (char *word = strtok_r(options, " ", &rest); word != NULL && n < MOST_WORDS;
-         word = strtok_r(NULL, " ", &rest)) {
-        words[n++] = word;
-    }
-    words[n++] = "--output";
-    words[n++] = watch->picture;
-    if (watch->desk->device != NULL) {
-        words[n++] = "--device";
-        words[n++] = (char *)watch->desk->device;
-    }
-    start(watch, STEP_DRAWING, words, CHILD_IS_READ);
-    free(options);
+    watch->step = look_start_drawing(&watch->look, &watch->child) == 0 ? STEP_DRAWING : STEP_NONE;
 }
 
 static void start_grading(Watch *watch, int is_everything)
@@ -164,33 +133,18 @@ static void start_grading(Watch *watch, int is_everything)
         words[n++] = "--device";
         words[n++] = (char *)watch->desk->device;
     }
-    start(watch, STEP_GRADING, words, CHILD_SHOWS);
-}
-
-// The command that follows the first wrong pixel of the open scene, to copy; NULL where there is
-// none, or the lab has nothing to follow. Owned by the caller.
-static char *pixel_command(const Watch *watch)
-{
-    char steps[PATH_MAX];
-    const News *news = &watch->news;
-    path_make(steps, "common/follow/steps/%s.cl", watch->desk->lab->lab);
-    if (!news->has_picture || !news->has_figure || news->difference.n_different == 0 ||
-        access(steps, R_OK) != 0) {
-        return NULL;
-    }
-    return message_new("make pixel LAB=%.2s AT=%d,%d OPTIONS=\"%s\"", watch->desk->lab->lab,
-                       news->difference.first_x, news->difference.first_y, look(watch));
+    start(watch, STEP_GRADING, words);
 }
 
 static void start_pixel(Watch *watch)
 {
     char *lab = message_new("LAB=%.2s", watch->desk->lab->lab);
     char *at =
-        message_new("AT=%d,%d", watch->news.difference.first_x, watch->news.difference.first_y);
-    char *options = message_new("OPTIONS=%s", look(watch));
+        message_new("AT=%d,%d", watch->look.difference.first_x, watch->look.difference.first_y);
+    char *options = message_new("OPTIONS=%s", look_options(&watch->look));
     char *words[] = {
         (char *)watch->desk->make, "-s", "--no-print-directory", "pixel", lab, at, options, NULL};
-    start(watch, STEP_ASKED, words, CHILD_SHOWS);
+    start(watch, STEP_ASKED, words);
     free(lab);
     free(at);
     free(options);
@@ -240,58 +194,33 @@ static void compiling_ended(Watch *watch, int status)
     }
 }
 
-// Hold the picture against the figure; say where they differ.
-static void picture_compare(Watch *watch)
-{
-    char path[PATH_MAX];
-    Image own = {0}, difference = {0};
-    News *news = &watch->news;
-    news->has_picture = image_load(watch->picture, &own) == 0;
-    news->has_figure = 0;
-    if (news->has_picture && watch->figure.pixels != NULL && watch->desk->options == NULL) {
-        const ImageDifference found = image_compare(&own, &watch->figure, TOLERANCE);
-        news->difference = found;
-        if (found.n_different <= EXCEPTIONS_PER_PIXEL * own.width * own.height) {
-            news->difference.n_different = 0;
-        }
-        path_make(path, "%s/difference.png", watch->folder);
-        news->has_figure = found.same_size &&
-                           image_difference_picture(&own, &watch->figure, &difference) == 0 &&
-                           image_save(&difference, path) == 0;
-    }
-    image_free(&own);
-    image_free(&difference);
-}
-
 static void drawing_ended(Watch *watch, int status, int is_late)
 {
-    News *news = &watch->news;
+    Look *look = &watch->look;
     char *told;
-    news->has_picture = 0;
+    look->has_picture = 0;
     if (status != 0 && strstr(watch->child.said, ": error: ") != NULL) {
         tell_uncompiled(watch);
         return;
     }
     if (is_late) {
-        told = message_new("compiles; drawing had no end in %d s", MOST_DRAWING_MS / 1000);
+        told = message_new("compiles; drawing had no end in %d s", LOOK_MOST_MS / 1000);
     } else if (status != 0) {
         told = message_new("compiles, but drawing failed%s", status >= 128 ? ": it crashed" : "");
         said_print(watch->child.said);
         replace(&watch->said, strdup(watch->child.said));
     } else {
-        picture_compare(watch);
-        if (!news->has_figure) {
-            told = message_new("compiles, and draws");
-        } else if (news->difference.n_different == 0) {
-            told = message_new("compiles; the picture is as it should be");
-        } else {
-            told = message_new(
-                "compiles; %d pixels of the picture are wrong, the first is (%d, %d)",
-                news->difference.n_different, news->difference.first_x, news->difference.first_y);
-        }
+        look_compare(look);
+        told =
+            !look->has_figure ? message_new("compiles, and draws")
+            : look->difference.n_different == 0
+                ? message_new("compiles; the picture is as it should be")
+                : message_new("compiles; %d pixels of the picture are wrong, the first is (%d, %d)",
+                              look->difference.n_different, look->difference.first_x,
+                              look->difference.first_y);
     }
     printf("   %s (%.1f s)\n", told, seconds_of_round(watch));
-    replace(&watch->command, pixel_command(watch));
+    replace(&watch->command, look_command(look));
     if (watch->command != NULL) {
         printf("   see why: %s\n", watch->command);
     }
@@ -427,8 +356,7 @@ static void answer(Watch *watch, char key)
 
 static int is_late(const Watch *watch)
 {
-    return watch->step == STEP_DRAWING &&
-           stats_clock_ms() - watch->child.start_ms > MOST_DRAWING_MS;
+    return watch->step == STEP_DRAWING && stats_clock_ms() - watch->child.start_ms > LOOK_MOST_MS;
 }
 
 // Until a signal or a key.
@@ -488,7 +416,7 @@ static int terminal_begin(struct termios *before)
 static int lock_take(const Watch *watch)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/lock", watch->folder);
+    path_make(path, "%s/lock", watch->look.folder);
     const int lock = open(path, O_CREAT | O_RDWR | O_CLOEXEC, 0666);
     if (lock >= 0 && flock(lock, LOCK_EX | LOCK_NB) == 0) {
         return lock;
@@ -502,28 +430,10 @@ static int lock_take(const Watch *watch)
     return -1;
 }
 
-static void figure_load(Watch *watch)
-{
-    char path[PATH_MAX];
-    const Manifest *lab = watch->desk->lab;
-    if (lab->figure == NULL) {
-        return;
-    }
-    path_make(path, "slides-notes/figures/%s", lab->figure);
-    if (access(path, R_OK) == 0 && image_load(path, &watch->figure) == 0) {
-        path_make(path, "%s/expected.png", watch->folder);
-        image_save(&watch->figure, path);
-    }
-}
-
 static void paths_make(Watch *watch)
 {
     const char *build = watch->desk->build, *lab = watch->desk->lab->lab;
-    path_make(watch->folder, "%s/watch", build);
     path_make(watch->results, "%s/grade/%.2s/results.json", build, lab);
-    path_make(watch->program, "%s/labs/%s", build, lab);
-    path_make(watch->make_target, "%s/labs/%s", build, lab);
-    path_make(watch->picture, "%s/picture.png", watch->folder);
     snprintf(watch->seed, sizeof watch->seed, "%ld", 1 + (long)time(NULL) % 65535);
 }
 
@@ -533,8 +443,8 @@ int watch_run(const Desk *desk)
     struct termios before;
     sigset_t set;
     watch = (Watch){.desk = desk, .child = {.output = -1}, .start_ms = stats_clock_ms()};
+    look_open(desk, &watch.look);
     paths_make(&watch);
-    mkdir(watch.folder, 0777);
     const int lock = lock_take(&watch);
     if (lock < 0) {
         return -1;
@@ -546,9 +456,8 @@ int watch_run(const Desk *desk)
     sigprocmask(SIG_BLOCK, &set, NULL);
     const int signals = signalfd(-1, &set, SFD_CLOEXEC);
     const int has_terminal = terminal_begin(&before);
-    figure_load(&watch);
     printf("Watching labs/%s: save a file. Open %s/index.html in a browser.\n", desk->lab->lab,
-           watch.folder);
+           watch.look.folder);
     watch_loop(&watch, signals);
     child_stop(&watch.child);
     if (has_terminal) {
@@ -557,7 +466,7 @@ int watch_run(const Desk *desk)
     printf("\nStopped; what was reached is in make progress.\n");
     json_decref(watch.before);
     json_decref(watch.now);
-    image_free(&watch.figure);
+    look_close(&watch.look);
     free(watch.child.said);
     replace(&watch.state, NULL), replace(&watch.said, NULL), replace(&watch.changes, NULL);
     replace(&watch.command, NULL);

@@ -53,24 +53,25 @@ static void picture_write(FILE *page, const char *name, const char *words, int n
             words, name, number, words);
 }
 
-static void pictures_write(FILE *page, const Manifest *lab, const News *news)
+static void pictures_write(FILE *page, const News *news)
 {
-    if (!news->has_picture) {
+    const Look *look = news->look;
+    if (!look->has_picture) {
         return;
     }
     fputs("<section class=\"card\"><div class=\"title\"><b>The open scene</b></div>\n"
           "<p class=\"soft\">drawn with ",
           page);
-    html_line(page, lab->look);
-    if (news->has_figure && news->difference.n_different > 0) {
-        fprintf(page, "; %d pixels differ, the first is (%d, %d)", news->difference.n_different,
-                news->difference.first_x, news->difference.first_y);
-    } else if (news->has_figure) {
+    html_line(page, look_options(look));
+    if (look->has_figure && look->difference.n_different > 0) {
+        fprintf(page, "; %d pixels differ, the first is (%d, %d)", look->difference.n_different,
+                look->difference.first_x, look->difference.first_y);
+    } else if (look->has_figure) {
         fputs("; no pixel differs", page);
     }
     fputs("</p><div class=\"trio\">\n", page);
     picture_write(page, "picture", "Yours", news->number);
-    if (news->has_figure) {
+    if (look->has_figure) {
         picture_write(page, "expected", "As it should be", news->number);
         picture_write(page, "difference", "Difference: black where equal", news->number);
     }
@@ -144,8 +145,10 @@ static void history_write(FILE *page, const News *news)
             HEIGHT, HEIGHT + FOOT, WIDTH - 16, HEIGHT + FOOT, most / 60);
 }
 
-int watch_page_write(const char *folder, const Manifest *lab, const News *news, const char *report)
+int watch_page_write(const News *news, const char *report)
 {
+    const char *folder = news->look->folder;
+    const Manifest *lab = news->look->desk->lab;
     char path[PATH_MAX];
     OutputFile page, script;
     path_make(path, "%s/index.html", folder);
@@ -155,7 +158,7 @@ int watch_page_write(const char *folder, const Manifest *lab, const News *news, 
     html_followed_begin(page.file, lab->lab, news->number);
     head_write(page.file, lab, news);
     said_write(page.file, news);
-    pictures_write(page.file, lab, news);
+    pictures_write(page.file, news);
     verdict_write(page.file, news, report);
     history_write(page.file, news);
     html_page_end(page.file);

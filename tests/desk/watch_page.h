@@ -2,8 +2,7 @@
 #ifndef DESK_WATCH_PAGE_H
 #define DESK_WATCH_PAGE_H
 
-#include "image.h"
-#include "manifest.h"
+#include "look.h"
 
 #include <jansson.h>
 
@@ -17,23 +16,20 @@ typedef struct Verdict {
 
 // What the watch knows now. Texts are any text.
 typedef struct News {
-    int number;           // of this news
-    const char *state;    // one line: what is done now, or what came of it
-    const char *said;     // the words of the compiler or the program; "" where there are none
-    const char *command;  // that follows the first wrong pixel, or NULL
-    const char *changes;  // gained and lost, a line each; ""
-    int has_picture;      // picture.png is there; and expected.png and difference.png:
-    int has_figure;
-    ImageDifference difference;  // of the two
-    const json_t *results;       // of the last verdict, or NULL
+    int number;             // of this news
+    const char *state;      // one line: what is done now, or what came of it
+    const char *said;       // the words of the compiler or the program; "" where there are none
+    const char *command;    // that follows the first wrong pixel, or NULL
+    const char *changes;    // gained and lost, a line each; ""
+    const Look *look;       // the picture
+    const json_t *results;  // of the last verdict, or NULL
     Verdict verdicts[NEWS_MOST_VERDICTS];
     int n_verdicts;
 } News;
 
 // Write the page, and a script that tells an open one that there is news.
-//   folder  of the page and its pictures
 //   report  the path of the whole report from there
 // Returns 0, or -1 after one message.
-int watch_page_write(const char *folder, const Manifest *lab, const News *news, const char *report);
+int watch_page_write(const News *news, const char *report);
 
 #endif

@@ -90,4 +90,4 @@ grade: graded $(if $(SUBMISSION),,$(OUT)/tools/desk)  ## grade LAB=03 [SUBMISSIO
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
 	    $(if $(TASK),--task "$$TASK",$(if $(ALL),,--first)) $(verdict_is_no_fault)
-	$(if $(SUBMISSION),,@$(OUT)/tools/desk note --build $(OUT) --lab $(graded_lab) || true)
+	$(if $(SUBMISSION),,@$(OUT)/tools/desk note --build $(OUT) --make "$(MAKE)" --lab $(graded_lab) $(if $(DEVICE),--device "$$DEVICE") || true)

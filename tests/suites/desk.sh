@@ -112,6 +112,14 @@ ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
 check "what was reached is noted" says "100/100" make -s progress
 heart_ends
 
+# ---- A wrong pixel ----------------------------------------------------------------------------------
+
+last_missing
+command=$(make -s grade LAB=03 2>/dev/null | sed -n 's/^See why: //p')
+check "make grade offers to follow a wrong pixel" says "640 x 480: pixel 0, 0" eval "$command"
+cp "$right" "$file"
+check "a right picture has none" sh -c "! make -s grade LAB=03 2>&1 | grep 'See why'"
+
 # ---- A grading that is ended ------------------------------------------------------------------------
 
 for signal in TERM KILL; do
