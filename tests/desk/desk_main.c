@@ -1,6 +1,6 @@
 // desk: what a student asks for beside the grader.
 //
-//     desk note --lab 03       note the last grading in progress.json; offer to follow a wrong pixel
+//     desk note --lab 03       note the last grading in progress.json; offer a wrong pixel
 //     desk hint --lab 03       one more hint for the first fault of the last grading
 //     desk progress            labs and tasks with points, and what is next
 //     desk watch --lab 03      after every save compile, draw and grade
