@@ -234,6 +234,19 @@ check "no bubblewrap: there are no results" test ! -e "$reports"
 
 heart_ends
 
+# An endless loop: what it is at is on the terminal, and gone before the report.
+copy_lab solutions 02-kdtree-2d-build
+echo '    for (volatile int i = 1; i > 0;) {} return 1;' | answer kdtree2d_build.c is_leaf
+script -qec "'$build/tools/grade' --build '$build' --output '$reports' --lab 02 $submission --seed 5 --first" /dev/null \
+    </dev/null >"$said" 2>&1
+check "an endless loop is told" grep -q "an endless loop?" "$said"
+check "with its input" grep -q "where: in is_leaf, input 1 of 660: level " "$said"
+check "the other tasks keep their points" test "$(field score)" = 85
+escape=$(printf '\033')
+check "meanwhile the terminal says what runs" grep -q "running your program, [0-9]* s" "$said"
+check "and what is tried alone" grep -q "checking is_leaf alone: task 1 of 5, [0-9]* s" "$said"
+check "before the report the line is taken away" grep -q "checking [a-z_ ]*: task [^$escape]*.$escape\[K[^c]*02-kdtree" "$said"
+
 # The other sandbox, where it can be had, and none at all: the same marks, and the reports say which.
 kinds=none
 [ "$(id -u)" -ne 0 ] || kinds="landlock none"
