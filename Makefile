@@ -135,8 +135,12 @@ clean:  ## remove everything that was made: build/, with the grades of classes t
 
 # In examples: a lab that is there.
 EXAMPLE_LAB := $(if $(wildcard labs/03-*),03,$(firstword $(subst -, ,$(notdir $(wildcard labs/[0-9]*)))))
+# In a handout it lists what its one lab has.
+here := $(wildcard labs/*/lab.json)
+has_not = $(if $(word 2,$(here)),,$(if $(filter $(here),$(FOLLOWED:%=labs/%/lab.json)),,pixel) $(if $(filter $(here),$(SEEN:%=labs/%/lab.json)),,view movie))
 help:  ## print this list
 	@printf '  %-17s %s\n' "make build/labs/$(notdir $(firstword $(wildcard labs/$(EXAMPLE_LAB)-*)))" "one lab's program; V=1 shows whole commands; SANITIZE=1 build/sanitized/labs/... looks for faults in memory"
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); printf "  make %-12s %s\n", $$1, $$2 }' $(filter %Makefile %.mk,$(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / && " $(has_not) " !~ " " $$1 " " { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); \
+	    $(if $(word 2,$(here)),,sub(/ \[SOLUTION=1\]/, ""); sub(/, with the grades of classes there/, ""); ) printf "  make %-12s %s\n", $$1, $$2 }' $(filter %Makefile %.mk,$(MAKEFILE_LIST))
 
 -include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)

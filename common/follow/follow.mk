@@ -39,8 +39,10 @@ $(PIXELS): $(OUT)/pixel/%: $(call objects,$(PIXEL_SOURCES) $(REFERENCE)) $$(call
 # The student's own; with SOLUTION=1 the solution.
 own_program = $(OUT)/$(1)/$(if $(SOLUTION),solutions,labs)/$(graded_lab)
 only_solved = $(filter-out $(patsubst labs/%/lab.json,%,$(wildcard labs/*/lab.json)),$(1))
-is_one_of = test -n "$(filter $(graded_lab),$(1))" || { printf 'make $@: found LAB="%s", expected a lab that $(2): %s\n' \
-    "$$LAB" '$(or $(1),there is none here)$(if $(only_solved),; add SOLUTION=1 for those that are here as a solution only)' >&2; exit 2; }; \
+and_solved = $(or $(1),there is none here)$(if $(only_solved),; add SOLUTION=1 for those that are here as a solution only)
+has_none = $(if $(filter-out $(1),$(graded_lab)),echo 'make $@: $(graded_lab) has no $(2). $(if $(1),These labs have one: $(and_solved),No lab here has one)' >&2; exit 2;)
+is_one_of = test -n "$(filter $(graded_lab),$(1))" || { $(has_none) printf 'make $@: found LAB="%s", expected a lab that has a $(2): %s\n' \
+    "$$LAB" '$(and_solved)' >&2; exit 2; }; \
     test -n "$(wildcard $(if $(SOLUTION),solutions,labs)/$(graded_lab)/lab.json)" || { \
     echo 'make $@: $(if $(SOLUTION),there is no solution of $(graded_lab) here: leave SOLUTION=1 out,$(graded_lab) is here as a solution only: add SOLUTION=1)' >&2; exit 2; }
 # PROGRAM with the words of OPTIONS behind it: quotes and backslashes as in a shell, and nothing else.
@@ -49,7 +51,7 @@ pixel_files = $(OUT)/pixel/$(graded_lab)
 .PHONY: pixels pixel
 pixels: $(PIXELS)
 pixel:  ## follow one pixel, step by step: LAB=03 AT=200,120 [SOLUTION=1] [OPTIONS="--scene ..."]
-	+@$(call is_one_of,$(FOLLOWED),can be followed); test -n "$$AT" || { echo 'make $@: say which pixel: make $@ LAB=$(EXAMPLE_LAB) AT=200,120' >&2; exit 2; }; \
+	+@$(call is_one_of,$(FOLLOWED),pixel to follow); test -n "$$AT" || { echo 'make $@: say which pixel: make $@ LAB=$(EXAMPLE_LAB) AT=200,120' >&2; exit 2; }; \
 	    $(MAKE) -s --no-print-directory $(call own_program,pixel)
 	@$(call with_options,$(call own_program,pixel) --pixel "$$AT" --json $(pixel_files).json --svg $(pixel_files).svg)
 	@echo "written to $(pixel_files).json, drawn in $(pixel_files).svg"

@@ -12,7 +12,7 @@ $(VIEWS): $(OUT)/view/%: $(call objects,$(VIEW_SOURCES)) $$(call follow_objects,
 	$(call link,$(LIBRARIES))
 
 # The student's own; with SOLUTION=1 the solution.
-view_ready = $(call is_one_of,$(SEEN),has a window); common/setup/install.sh view && $(MAKE) -s --no-print-directory $(call own_program,view)
+view_ready = $(call is_one_of,$(SEEN),window); common/setup/install.sh view && $(MAKE) -s --no-print-directory $(call own_program,view)
 .PHONY: views view movie
 views: $(VIEWS)
 view:  ## install what is missing, fly through LAB=03 in a window [SOLUTION=1] [OPTIONS="--size 800x600 ..."]

@@ -47,7 +47,10 @@ copy() {
 
 # ---- What goes in -----------------------------------------------------------------------------
 
-git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .editorconfig .gitattributes .gitignore | copy
+git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .devcontainer .editorconfig \
+    .gitattributes .gitignore Containerfile | copy
+# The course's container can grade classes, too.
+sed -i 's/install\.sh demo$/install.sh grade/' "$root/Containerfile"
 
 # The skeleton is cut anew: in labs/ somebody may have tried the tasks.
 tests/tools/cut_labs.sh "$holes" "$stage/cut/labs"
@@ -105,7 +108,9 @@ title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
 {
     # The first lab has no solutions of others.
     [ -d "$root/solutions" ] && none= || none='/labs before/d'
-    sed -e "$none" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
+    files=$(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" |
+        sed "s|\"\([^\"]*\)\"|\`labs/$lab/\1\`|g; s/\(.*\), /\1 and /")
+    sed -e "$none" -e "s|@FILES@|$files|g" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
     awk '/^## / { inside = $0 == "## Licence" } inside' README.md
 } >"$root/README.md"
 

@@ -181,6 +181,12 @@ finished() {
     [ "$named" = "$([ -d "$1/solutions" ] && echo yes || echo no)" ] || { echo "labs before: $named"; return 1; }
 }
 
+# contained FOLDER: are the files of its container there, and does it get what a handout needs?
+contained() {
+    [ -f "$1/.devcontainer/$(jq -r .build.dockerfile "$1/.devcontainer/devcontainer.json")" ] || return 1
+    ! grep demo "$1/Containerfile" && grep -qx 'RUN common/setup/install.sh grade' "$1/Containerfile"
+}
+
 # edited FOLDER: does clangd, by what the handout tells it, find no fault in the lab's files?
 edited() {
     find "$1/labs" -name '*.[ch]*' >"$scratch/sources"
@@ -211,6 +217,28 @@ counts() {
     sed -n "s/.*printf '[^']*' 'building the course once: \([0-9]* of [0-9]*\)'.*/\1/p" "$scratch/said" >"$scratch/steps"
     n_steps=$(wc -l <"$scratch/steps")
     seq -f "%g of $n_steps" 1 "$n_steps" | diff - "$scratch/steps" && [ "$n_steps" -gt 50 ]
+}
+
+# helps FOLDER LAB: does make help list no target for which its lab has nothing? And is what to hand in named?
+helps() {
+    alone "$1" make help >"$scratch/said"
+    for target in pixel view; do
+        status=0
+        alone "$1" make -s --dry-run $target LAB="${2%%-*}" AT=1,1 >"$scratch/dry" 2>&1 || status=$?
+        listed=no
+        ! grep -q "^  make $target " "$scratch/said" || listed=yes
+        case $status:$listed:$(grep -c "$2 has no " "$scratch/dry") in
+        *:no:0) echo "make $target is not listed" && return 1 ;;
+        *:yes:[1-9]*) echo "make $target is listed, and $(cat "$scratch/dry")" && return 1 ;;
+        esac
+    done
+    ! grep -e SOLUTION= -e classes "$scratch/said" || return 1
+    for heading in 'Mac or Windows' 'How to hand in'; do
+        grep -qx "## $heading" "$1/README.md" || { echo "no heading: $heading"; return 1; }
+    done
+    for file in $(jq -r '.files[]' "$1/labs/$2/lab.json"); do
+        grep -q "^Hand in .*\`labs/$2/$file\`" "$1/README.md" || { echo "$file is not named as handed in"; return 1; }
+    done
 }
 
 # alone FOLDER COMMAND...: run it there with nothing of this make's or of the course's variables.
@@ -244,6 +272,8 @@ for lab in $labs; do
     check "$lab: one job on both kinds of processors" same_jobs "$scratch/$lab" "$lab"
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
+    check "$lab: its container gets what a handout needs" contained "$scratch/$lab"
+    check "$lab: make help and the README name what there is for it" helps "$scratch/$lab" "$lab"
     check "$lab: the first make grade counts its steps" counts "$scratch/$lab" "$lab"
     if command -v clangd >/dev/null; then
         check "$lab: editors understand its files" edited "$scratch/$lab"

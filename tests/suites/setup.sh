@@ -122,6 +122,24 @@ for machine in amd64 arm64; do
     ok $? "$machine: the compiler for the other processor" "asked for: $asked"
 done
 
+# The container: Debian, packages of the list, and nothing else; and what VS Code reads of it.
+# contained FILE: is each line of a Containerfile one of these?
+contained() {
+    ! grep -v -e '^#' -e '^FROM docker.io/library/debian:1[0-9]-slim$' -e '^WORKDIR /course$' -e '^COPY common/setup common/setup$' \
+        -e '^RUN common/setup/install.sh [a-z]*$' "$1"
+}
+check "the Containerfile installs packages of the list, and nothing else" contained Containerfile
+printf 'RUN apt-get install -y cowsay\n' | cat Containerfile - >"$scratch/Containerfile"
+! contained "$scratch/Containerfile" >/dev/null
+ok $? "another package would be found"
+# shellcheck disable=SC2013 # words are wanted
+for target in $(sed -n 's/^RUN common.setup.install.sh //p' Containerfile); do
+    check "packages.txt knows what it installs for: $target" grep -q "^[^# ]*  *[^ ]*\<$target\>" common/setup/packages.txt
+done
+named=$(jq -er .build.dockerfile .devcontainer/devcontainer.json)
+ok $? "devcontainer.json is JSON, and names a Containerfile" "$named"
+check "which is there" test -f ".devcontainer/$named"
+
 # In a Turkish locale, [a-z] of grep has no i. make builds the same, command by command.
 if localedef -i tr_TR -f UTF-8 "$scratch/tr_TR.UTF-8" 2>"$scratch/said"; then
     # One at a time, whatever make this runs in says: the order is what it would be.
