@@ -110,7 +110,9 @@ title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
     [ -d "$root/solutions" ] && none= || none='/labs before/d'
     files=$(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" |
         sed "s|\"\([^\"]*\)\"|\`labs/$lab/\1\`|g; s/\(.*\), /\1 and /")
-    sed -e "$none" -e "s|@FILES@|$files|g" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
+    # Lab 10 has a page for each of its parts.
+    grep -q '^## Tasks$' "labs/$lab/README.md" && tasks=tasks || tasks=which-part
+    sed -e "$none" -e "s/@TASKS@/$tasks/" -e "s|@FILES@|$files|g" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
     awk '/^## / { inside = $0 == "## Licence" } inside' README.md
 } >"$root/README.md"
 
