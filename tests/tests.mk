@@ -8,7 +8,7 @@ AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
 
 $(OUT)/libmutation.a: $(call objects,$(addprefix tests/mutation/,mutations.c known_answer.c groups.c groups_try.c))
 	$(archive)
-$(OUT)/tools/mutants $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+$(OUT)/tools/mutants $(OUT)/tools/pairs $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
 
 # ---- A class ---------------------------------------------------------------------------------
@@ -19,7 +19,7 @@ $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
-grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate)
+grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate pairs)
 .PHONY: grade-class
 grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json] [NOTHING=0|blank]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \

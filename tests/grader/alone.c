@@ -158,3 +158,8 @@ int alone_passes(Session *session, int i, const Variant *variant)
 {
     return judge_passes_alone(&session->judge, (Answers){variant->number, &variant->answers}, i);
 }
+
+Diagnosis alone_cause(Session *session, int i, const Variant *variant)
+{
+    return judge_alone_cause(&session->judge, (Answers){variant->number, &variant->answers}, i);
+}

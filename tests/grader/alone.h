@@ -28,4 +28,7 @@ int answers_fill(Session *session, const char *name, const char *own, Variant *v
 // Does check number i, one of the variant's task, pass? The variant has run.
 int alone_passes(Session *session, int i, const Variant *variant);
 
+// Why it does not, where stand-ins have a part in that: see judge_alone_cause().
+Diagnosis alone_cause(Session *session, int i, const Variant *variant);
+
 #endif

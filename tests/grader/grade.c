@@ -41,17 +41,7 @@ static void start_result(Grading *grading, const Settings *settings)
     result->seed = settings->seed;
     result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
     result->submission = shown_submission(settings);
-    result->n_checks = grading->session.judge.n_checks;
-    for (int i = 0; i < result->n_checks; i++) {
-        const Check *check = &grading->session.judge.checks[i];
-        result->checks[i] = (CheckResult){.id = check->id,
-                                          .title = check->title,
-                                          .task = check->task,
-                                          .max_points = check->points,
-                                          .status = CHECK_NOT_RUN};
-        check_tell(&result->checks[i], NOTHING_WRONG);
-        result->max_score += check->points;
-    }
+    grading_list_checks(grading);
 }
 
 // How the whole submission ended before its end, and where. Owned by the caller.

@@ -36,6 +36,9 @@ int grading_stage(Grading *grading, const char *submission, const char *folder);
 // Was this file of the lab replaced then?
 int grading_is_replaced(const Grading *grading, const char *file);
 
+// Put the lab's checks into the result, each as not run.
+void grading_list_checks(Grading *grading);
+
 // Judge the submission that has run: as a whole, and each answer that failed there alone. Returns
 // 0, or -1 after one message when the machinery failed.
 int grading_judge(Grading *grading);

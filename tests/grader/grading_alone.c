@@ -254,6 +254,28 @@ static int tell_alone(Grading *grading, int t, int i)
     return is_told;
 }
 
+// Say of check number i by which known mistake its answer fails alone, where stand-ins have a part
+// in that: what was found would show what they do, a sentence of ours does not. The facts stay
+// those of the whole. Returns whether there was anything to say.
+static int tell_cause(Grading *grading, int t, int i)
+{
+    CheckResult *check = &grading->result.checks[i];
+    Diagnosis alone = alone_cause(&grading->session, i, &grading->alone[t]);
+    const int is_told = alone.cause != NULL;
+    if (is_told) {
+        const char *found =
+            check->status == CHECK_FAILED ? check->diagnosis.found : "it fails when tested alone";
+        check_fail(check, (Diagnosis){.found = message_new("%s", found),
+                                      .cause = message_new("tested alone: %s", alone.cause),
+                                      .mistake = alone.mistake,
+                                      .evidence = check->diagnosis.evidence});
+        check->is_explained = 1;
+        check->is_told_alone = 1;
+    }
+    diagnosis_free(&alone);
+    return is_told;
+}
+
 // What is said of check number i of task t, which failed alone, too, or by nobody else's fault.
 //   is_others   another answer may have a part in what was found in the whole
 static void note_own(Grading *grading, int t, int i, int is_others)
@@ -270,7 +292,7 @@ static void note_own(Grading *grading, int t, int i, int is_others)
         check->alone = "without your other answers it does not compile, so it was not tested alone";
     } else if (alone->trouble != NULL) {
         check->alone = "tested alone, it does not come to its end";
-    } else if (!tell_alone(grading, t, i)) {
+    } else if (!tell_alone(grading, t, i) && !tell_cause(grading, t, i)) {
         check->alone = "it also fails when tested alone";
     }
     // What does not compile is reported once, under "Compiling".

@@ -16,6 +16,22 @@
 
 // ---- The whole ----------------------------------------------------------------------------------
 
+void grading_list_checks(Grading *grading)
+{
+    Result *result = &grading->result;
+    result->n_checks = grading->session.judge.n_checks;
+    for (int i = 0; i < result->n_checks; i++) {
+        const Check *check = &grading->session.judge.checks[i];
+        result->checks[i] = (CheckResult){.id = check->id,
+                                          .title = check->title,
+                                          .task = check->task,
+                                          .max_points = check->points,
+                                          .status = CHECK_NOT_RUN};
+        check_tell(&result->checks[i], NOTHING_WRONG);
+        result->max_score += check->points;
+    }
+}
+
 static void judge_whole(Grading *grading)
 {
     for (int i = 0; i < grading->result.n_checks; i++) {

@@ -183,6 +183,35 @@ int job_passes_alone(const Job *job, int number, const Sections *answers)
     return passes;
 }
 
+// The first known mistake that explains all answers to one of the functions.
+static Cause functions_cause(const Function *const functions[2], const Job *job,
+                             const Sections *answers)
+{
+    Cause cause = {0};
+    for (int i = 0; cause.says == NULL && i < 2 && functions[i] != NULL; i++) {
+        cause = function_cause(functions[i], job, (Range){.n = functions[i]->n}, answers);
+    }
+    return cause;
+}
+
+Cause judge_function_alone(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    return function_cause(check->function, job, check->range, answers);
+}
+
+Diagnosis job_alone_cause(Job *job, int number, const Sections *answers)
+{
+    const JudgeCheck *check = &job->judge->checks[number];
+    if (check->alone_cause == NULL) {
+        return diagnosis_of(NULL, functions_cause(check->alone_functions, job, answers));
+    }
+    job->is_alone = 1;
+    const Cause cause = check->alone_cause(job, check, answers);
+    job->is_alone = 0;
+    return check->scene != NULL ? diagnosis_seen(NULL, cause, EVIDENCE_PICTURE)
+                                : diagnosis_of(NULL, cause);
+}
+
 // ---- Pictures -----------------------------------------------------------------------------------
 
 Verdict judge_picture(const void *job, int k, const Sections *answers)

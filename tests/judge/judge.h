@@ -53,6 +53,11 @@ typedef struct JudgeCheck {
     Range alone_range;                   // of scenes; that of the whole where none is set
     const Function *alone_functions[2];  // in the place of whole scenes, which need other tasks
     const Replay *replay;
+    // Where stand-ins have a part in it: the known mistake that explains what one answer did alone,
+    // if it is certain; of scenes what they look like. Of functions (alone_functions) it is one of
+    // theirs; of the check's own function, where that goes by stand-ins while the job is_alone, too
+    // (judge_function_alone).
+    Cause (*alone_cause)(const void *job, const struct JudgeCheck *check, const Sections *answers);
 } JudgeCheck;
 
 // A section of the job that lies as an array in the lab's own job.
@@ -139,6 +144,7 @@ typedef struct Job {
     const Judge *judge;
     Growth growth;  // labs 02 and 06: the right trees of the scenes, for replays
     uint32_t lot;   // of the stand-ins: lot.h
+    int is_alone;   // the answers are those of one task, beside stand-ins: see alone_cause
 } Job;
 
 // Scene number k, and its picture, which is answered by "picture.K".
@@ -158,6 +164,11 @@ Verdict job_judge(const Job *job, int check, const Sections *answers);
 
 // Does check number `check` pass by what the answer to its task does alone?
 int job_passes_alone(const Job *job, int check, const Sections *answers);
+
+// Which known mistake explains why check number `check` fails by that: a diagnosis without facts.
+// NOTHING_WRONG where none is known, and where stand-ins have no part in it: then job_judge() says
+// it.
+Diagnosis job_alone_cause(Job *job, int check, const Sections *answers);
 
 // Where the probe was when it noted a step of this name and a number: of an input, or of a scene.
 typedef struct JobPlace {
@@ -180,5 +191,8 @@ void job_add_pictures(const Job *job, const Sections *answers, Result *result);
 // Is the picture of scene K right? Is nothing written outside of it, and everything inside?
 Verdict judge_picture(const void *job, int k, const Sections *answers);
 Verdict judge_padding(const void *job, int k, const Sections *answers);
+
+// The known mistake of the check's function that explains its range. As alone_cause has it.
+Cause judge_function_alone(const void *job, const JudgeCheck *check, const Sections *answers);
 
 #endif

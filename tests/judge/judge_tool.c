@@ -17,6 +17,7 @@
 //                    the last with a SentKinds; and of a failed one "found" and, where it is known,
 //                    "cause" (grader/verdict/diagnosis.h)
 //     alone I 0      does check number I pass by what one answer did alone? "passed" or "failed"
+//     cause I 0      why does it fail by that? As for verdict, but without facts
 //     adopt - 0      compare pictures with those held from now on
 //     pictures - 0   sections "title", "reference", "own", "svg_reference", "svg_own", of each
 //                    picture those that it has, in this order
@@ -149,6 +150,21 @@ static int reply_alone(Desk *desk, const char *argument, FILE *reply)
     return section_write(reply, passes ? "passed" : "failed", "", 0);
 }
 
+static int reply_cause(Desk *desk, const char *argument, FILE *reply)
+{
+    const int check = read_check(desk, argument);
+    if (check < 0) {
+        return -1;
+    }
+    Diagnosis diagnosis =
+        desk->tells_all ? job_alone_cause(desk->job, check, &desk->held) : NOTHING_WRONG;
+    const SentKinds kinds = {diagnosis.mistake, diagnosis.evidence};
+    const int result = section_write(reply, "failed", &kinds, sizeof kinds) |
+                       write_text(reply, "cause", diagnosis.cause);
+    diagnosis_free(&diagnosis);
+    return result;
+}
+
 static int reply_adopt(Desk *desk, const char *argument, FILE *reply)
 {
     (void)argument, (void)reply;
@@ -200,9 +216,9 @@ static const struct {
     const char *word;
     Reply *reply;
 } requests[] = {
-    {"checks", reply_checks},     {"job", reply_job},     {"place", reply_place},
-    {"verdict", reply_verdict},   {"alone", reply_alone}, {"adopt", reply_adopt},
-    {"pictures", reply_pictures},
+    {"checks", reply_checks},   {"job", reply_job},           {"place", reply_place},
+    {"verdict", reply_verdict}, {"alone", reply_alone},       {"cause", reply_cause},
+    {"adopt", reply_adopt},     {"pictures", reply_pictures},
 };
 
 // Reply to one request. Returns 0, or -1.
@@ -232,7 +248,7 @@ static int serve(Desk *desk, const char *word, const char *argument)
 static int is_about_answers(const char *word)
 {
     return strcmp(word, "verdict") == 0 || strcmp(word, "alone") == 0 ||
-           strcmp(word, "pictures") == 0;
+           strcmp(word, "cause") == 0 || strcmp(word, "pictures") == 0;
 }
 
 // Reply to what is asked until nothing is. Returns an exit status.

@@ -111,6 +111,16 @@ check "its input is told" grep -q "where: in next_waiting, input [0-9]* of 400: 
 check "and that nothing was there to be taken" grep -q "taken from an empty stack: nothing was waiting" "$said"
 ok "$(grep -c 'make memcheck' "$said")" "so memcheck need not tell" "$(cat "$said")"
 
+# Two more, of which the second one calls the first: beside a stand-in only its cause is said.
+copy_lab solutions 03-kdtree-2d-render
+for answer in getContainingChild:left-right-swapped descent:sixteen-levels; do
+    answer implicit2DRenderer_KD.cl "${answer%:*}" <"tests/mutants/03-kdtree-2d-render/${answer#*:}.cl"
+done
+# shellcheck disable=SC2046,SC2086 # options
+check "an answer beside a stand-in earns what it passes alone" grades 1 65 $(kept 03) $submission
+check "its mistake is named as by itself" \
+    grep -q '; tested alone: it looks drawn as if the search ended after a fixed number' "$reports/results.json"
+
 # ---- What make says ------------------------------------------------------------------------------
 
 # make_grade STATUS OPTION...: in the course's top folder, by what is built there.

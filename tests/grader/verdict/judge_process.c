@@ -343,6 +343,19 @@ int judge_passes_alone(JudgeProcess *judge, Answers answers, int check)
     return passes;
 }
 
+Diagnosis judge_alone_cause(JudgeProcess *judge, Answers answers, int check)
+{
+    Sections reply;
+    char number[16];
+    Verdict verdict = {.diagnosis = NOTHING_WRONG};
+    snprintf(number, sizeof number, "%d", check);
+    if (ask_about(judge, answers, "cause", number, &reply) == 0) {
+        verdict = read_verdict(&reply);
+    }
+    sections_free(&reply);
+    return verdict.diagnosis;
+}
+
 int judge_adopt(JudgeProcess *judge, Answers answers)
 {
     judge->adopted = answers;

@@ -57,6 +57,11 @@ Verdict judge_verdict(JudgeProcess *judge, Answers answers, int check);
 // Does it pass by what the answer to its task did alone?
 int judge_passes_alone(JudgeProcess *judge, Answers answers, int check);
 
+// The known mistake that explains why it does not, where stand-ins have a part in that: a diagnosis
+// with a cause and its kind, and without facts; or NOTHING_WRONG where none is known. Owned by the
+// caller.
+Diagnosis judge_alone_cause(JudgeProcess *judge, Answers answers, int check);
+
 // From now on pictures are compared with these, the solution's, which have just passed every check.
 // They must stay. Returns 0, or -1 after one message.
 int judge_adopt(JudgeProcess *judge, Answers answers);

@@ -106,6 +106,32 @@ static int nearest_is_drawn(const void *job, int k, const Sections *answers)
     return is_drawn(job, k, renderer_scenes, nearest_color, answers);
 }
 
+static int expect_own(const void *pointer, int k, ExpectedPicture *expected)
+{
+    const Scene2D *scene = &((const Job01 *)pointer)->scenes[own_pixel_scenes.first + k].scene;
+    return alone_picture_expect(scene->width, scene->height, 0, own_color, scene, expected);
+}
+
+static int expect_nearest(const void *pointer, int k, ExpectedPicture *expected)
+{
+    const JobScene *scene = &((const Job01 *)pointer)->scenes[renderer_scenes.first + k];
+    expected_picture_recognise(expected, job_scene_draw_squares, scene);
+    return alone_picture_expect(scene->scene.width, scene->scene.height, 0, nearest_color,
+                                &scene->scene, expected);
+}
+
+static Cause own_cause(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    return alone_pictures_look(job, check->range.first - own_pixel_scenes.first, check->range.n,
+                               expect_own, answers);
+}
+
+static Cause nearest_cause(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    return alone_pictures_look(job, check->range.first - renderer_scenes.first, check->range.n,
+                               expect_nearest, answers);
+}
+
 static int keeps_inside(const void *pointer, int k, const Sections *answers)
 {
     const Scene2D *scene = &((const Job01 *)pointer)->scenes[k].scene;
@@ -123,17 +149,19 @@ static const JudgeCheck checks[] = {
     {"overlaps-nearer", "Nearer, equally far and farther than minDepth", "overlaps_N_Nearer",
      .function = &overlaps_01, .range = {N_INSIDE + N_BOUNDARY, N_NEARER}},
     {"own_pixel-picture", "Every work-item draws its own pixel", "own_pixel", "*",
-     .scene = judge_picture, .range = {WIDE, 2}, .alone_scene = own_color_is_drawn},
+     .scene = judge_picture, .range = {WIDE, 2}, .alone_scene = own_color_is_drawn,
+     .alone_cause = own_cause},
     {"own_pixel-padding", "Nothing is written outside the picture", "own_pixel",
      .scene = judge_padding, .range = {0, N_SCENES}, .alone_scene = keeps_inside,
      .alone_range = {WIDE, 2}},
     {"renderer-random", "Random scenes", "implicit2DRenderer", "*", .scene = judge_picture,
-     .range = {RANDOM, 2}, .alone_scene = nearest_is_drawn},
+     .range = {RANDOM, 2}, .alone_scene = nearest_is_drawn, .alone_cause = nearest_cause},
     {"renderer-order", "Of equal depths the lower index wins", "implicit2DRenderer", "*",
-     .scene = judge_picture, .range = {ORDER, 1}, .alone_scene = nearest_is_drawn},
+     .scene = judge_picture, .range = {ORDER, 1}, .alone_scene = nearest_is_drawn,
+     .alone_cause = nearest_cause},
     {"renderer-edges", "No circles, far outside, touching, huge, tiny, any depth, many",
      "implicit2DRenderer", "*", .scene = judge_picture, .range = {EDGES, N_EDGES},
-     .alone_scene = nearest_is_drawn},
+     .alone_scene = nearest_is_drawn, .alone_cause = nearest_cause},
 };
 
 static const JobPart parts[] = {PART("overlaps", "overlaps_N_Nearer", Job01, overlaps)};

@@ -36,6 +36,16 @@ RIGHT(is_right, IS_FOUND(overlaps(in)))
 ANSWERS(from_middle, covers(in, in.x + 0.5, in.y + 0.5), HALF_A_PIXEL)
 ANSWERS(from_corner, covers(in, in.x - 0.5, in.y - 0.5), HALF_A_PIXEL)
 
+#define HALF_ACROSS                                                                                \
+    "shifted by half a pixel in one direction: the sample point is the integer coordinate in "     \
+    "both",                                                                                        \
+        MISTAKE_SHIFTED_HALF
+
+ANSWERS(from_right, covers(in, in.x + 0.5, in.y), HALF_ACROSS)
+ANSWERS(from_left, covers(in, in.x - 0.5, in.y), HALF_ACROSS)
+ANSWERS(from_below, covers(in, in.x, in.y + 0.5), HALF_ACROSS)
+ANSWERS(from_above, covers(in, in.x, in.y - 0.5), HALF_ACROSS)
+
 // With other distances from the centre, in other relations to the radius.
 static int is_within(OverlapJob in, double distance, double radius)
 {
@@ -136,10 +146,11 @@ ONLY(whole_differences,
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {
-    &from_middle, &from_corner,  &square,         &diamond,      &by_radius,         &by_half,
-    &by_root,     &by_x,         &by_amount,      &below_1,      &before_eye,        &farther,
-    &not_1,       &equal_depth,  &little_farther, &not_nearer,   &little_nearer,     &no_radius,
-    &boundary,    &rounded_root, &little_outside, &whole_centre, &whole_differences,
+    &from_middle,    &from_corner,  &from_right,        &from_left, &from_below, &from_above,
+    &square,         &diamond,      &by_radius,         &by_half,   &by_root,    &by_x,
+    &by_amount,      &below_1,      &before_eye,        &farther,   &not_1,      &equal_depth,
+    &little_farther, &not_nearer,   &little_nearer,     &no_radius, &boundary,   &rounded_root,
+    &little_outside, &whole_centre, &whole_differences,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

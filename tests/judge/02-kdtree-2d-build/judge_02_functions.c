@@ -156,6 +156,10 @@ RIGHT(is_middle, IS_FOUND(MIDDLE))
 
 ANSWERS(half_the_width, (HIGH_END - LOW_END) / 2,
         "that is half the width: the cell does not begin at 0")
+#define HALF_OF(half_side) (OWN_SIDE == (half_side) ? (HIGH_END - LOW_END) / 2 : MIDDLE)
+#define HALF_OF_ONE "that is half the length of one of the two sides: the cell does not begin at 0"
+ANSWERS(half_of_x, HALF_OF(SIDE_X), HALF_OF_ONE)
+ANSWERS(half_of_y, HALF_OF(SIDE_Y), HALF_OF_ONE)
 ANSWERS(cut_to_whole, truncf(MIDDLE), "the middle was made a whole number")
 ANSWERS(rounded_down, floorf(MIDDLE), "the middle was made a whole number")
 EACH(border_moved, IS_LOWER(0, MIDDLE) && IS_UPPER(1, (LOW_END + MIDDLE) / 2),
@@ -164,8 +168,9 @@ ONLY(swapped, IS_LOWER(1, MIDDLE) && IS_UPPER(0, MIDDLE), "left and right are sw
 ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
      "one half is right and the other is not: both have the border in the middle")
 
-static const Known *const known_of_middle[] = {&half_the_width, &cut_to_whole, &rounded_down,
-                                               &border_moved,   &swapped,      &one_right};
+static const Known *const known_of_middle[] = {&half_the_width, &half_of_x,    &half_of_y,
+                                               &cut_to_whole,   &rounded_down, &border_moved,
+                                               &swapped,        &one_right};
 
 // Facts: with what is expected on the left, across the right side or across the student's.
 static char *describe_split(BBox2D box, const BBox2D found[2], BBox2D left)

@@ -87,6 +87,11 @@ ANSWERS(min_for_max,
         covers(circle, fmin(box.minX, fmax(circle.x, box.maxX)),
                fmin(box.minY, fmax(circle.y, box.maxY))),
         "your answers are those of fmin and fmax in each other's places")
+#define ONE_BORDER                                                                                 \
+    "your answers are those of a centre that is clamped by one border of each axis: a cell has "   \
+    "two"
+ANSWERS(by_min, covers(circle, fmax(circle.x, box.minX), fmax(circle.y, box.minY)), ONE_BORDER)
+ANSWERS(by_max, covers(circle, fmin(circle.x, box.maxX), fmin(circle.y, box.maxY)), ONE_BORDER)
 ANSWERS(y_by_max_x,
         covers(circle, clamped(circle.x, box.minX, box.maxX),
                clamped(circle.y, box.minY, box.maxX)),
@@ -106,9 +111,9 @@ ANSWERS(circle_around,
 EACH(square, IS_OF_BOX, "the circle's bounding square overlaps, the circle does not")
 
 static const Known *const known[] = {
-    &just_1_and_0, &by_centre, &by_open_centre, &corners,     &with_centre,
-    &with_tips,    &middle,    &border,         &min_for_max, &y_by_max_x,
-    &y_by_x,       &x_by_y,    &circle_around,  &square,      OVERLAP_KNOWN,
+    &just_1_and_0, &by_centre, &by_open_centre, &corners, &with_centre,  &with_tips,
+    &middle,       &border,    &min_for_max,    &by_min,  &by_max,       &y_by_max_x,
+    &y_by_x,       &x_by_y,    &circle_around,  &square,  OVERLAP_KNOWN,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "words.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 // ---- getContainingChild -------------------------------------------------------------------------
 
@@ -97,8 +98,8 @@ static Words cell_words(BBox2D box)
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return message_new("node %u, pixel (%d, %d): found child %u, expected %u (left child %u is %s, "
-                       "right child %u is %s)",
+    return message_new("node %u, pixel (%d, %d): your code goes on with node %u, expected %u (left "
+                       "child %u is %s, right child %u is %s)",
                        in.id, in.x, in.y, found, HELD(in.x, in.y) ? node.lChild : node.rChild,
                        node.lChild, cell_words(left).text, node.rChild,
                        cell_words(tree->nodes_BBox[node.rChild]).text);
@@ -190,6 +191,21 @@ static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const
     return verdict;
 }
 
+// A leaf map in the numbers of its nodes, where the picture has the colours of two.
+static Verdict judge_leaf_map(const void *job, int k, const Sections *answers)
+{
+    const JobScene *scene = &((const Job03 *)job)->scenes[k];
+    Verdict verdict = judge_picture(job, k, answers);
+    char *ends = verdict.kind == VERDICT_FAILED ? first_wrong_end_03(scene, k, answers) : NULL;
+    if (ends != NULL) {
+        char *found = message_new("%s, %s", verdict.diagnosis.found, ends);
+        free(verdict.diagnosis.found);
+        verdict.diagnosis.found = found;
+    }
+    free(ends);
+    return verdict;
+}
+
 static Verdict judge_descent_work(const void *job, int k, const Sections *answers)
 {
     return judge_work(job, k, judge_descent, answers);
@@ -217,8 +233,8 @@ static const JudgeCheck checks[] = {
 
     {"descent-picture", "Random scenes through their trees", "descent", "*", .scene = judge_picture,
      .range = {BORDERS, 3}, .alone = all_end_in_leaves_03},
-    {"descent-leaf", "Every pixel ends in its own leaf", "descent", "*", .scene = judge_picture,
-     .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03},
+    {"descent-leaf", "Every pixel ends in its own leaf", "descent", "*", .scene = judge_leaf_map,
+     .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03, .alone_cause = descent_cause_03},
     {"descent-work", "One step a level, no more", "descent", "getContainingChild",
      .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
 

@@ -56,6 +56,12 @@ int write_alone_03(const void *job, const char *task, FILE *file);
 int ends_in_leaves_03(const void *job, int k, const Sections *answers);
 int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers);
 
+Cause descent_cause_03(const void *job, const JudgeCheck *check, const Sections *answers);
+
+// How the search in a leaf map went wrong, if each pixel's ended where a known mistake ends.
+//   ends[height * width]   the node in which it ended
+Cause ends_look_03(const JobScene *scene, const u32 *ends);
+
 // A tree with room for that many nodes and entries, all zeros. Returns 0, or -1 after one message;
 // to be freed in either case.
 int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree);
@@ -64,6 +70,10 @@ int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree);
 // get ids above first_id. Outside the root a pixel may end in any leaf. Returns 0, or -1 after one
 // message.
 int make_leaf_map(JobScene *scene, u32 first_id);
+
+// Of a wrong leaf map: where the search of the first wrong pixel ended, if its colour is a node's,
+// "at pixel (9, 0) your search ends in node 35, expected 51". Owned by the caller; or NULL.
+char *first_wrong_end_03(const JobScene *scene, int k, const Sections *answers);
 
 // Roll the scene STAIRS. Returns 0, or -1 after one message.
 int draw_stairs(JobScene *scene);

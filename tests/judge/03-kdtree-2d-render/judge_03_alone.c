@@ -198,6 +198,45 @@ int ends_in_leaves_03(const void *pointer, int k, const Sections *answers)
     return is_right;
 }
 
+// The node in which each pixel of a scene ended, as the stand-in of leaf_loop has painted it. Owned
+// by the caller; NULL where something else was painted.
+static u32 *read_ends(const JobScene *scene, int k, const Sections *answers)
+{
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const ProbeImage own = job_picture_answer(&scene->picture, k, answers);
+    u32 *ends = own.pixels != NULL ? malloc((size_t)n_pixels * sizeof *ends) : NULL;
+    int i = 0;
+    for (; ends != NULL && i < n_pixels; i++) {
+        const float *color = probe_image_pixel(own, i % width, i / width);
+        if (!(color[0] >= 0 && color[0] < 0x1p24f) || color[1] != (float)(i % width) ||
+            color[2] != (float)(i / width)) {
+            break;
+        }
+        ends[i] = (u32)color[0];
+    }
+    if (i < n_pixels) {
+        free(ends);
+        ends = NULL;
+    }
+    return ends;
+}
+
+// The same mistake in both leaf maps: one alone may be explained by several.
+Cause descent_cause_03(const void *pointer, const JudgeCheck *check, const Sections *answers)
+{
+    const Job03 *job = pointer;
+    Cause causes[2] = {{0}};
+    (void)check;
+    for (int i = 0; i < 2; i++) {
+        const int k = i == 0 ? LEAF_MAP : STAIRS;
+        u32 *ends = read_ends(&job->scenes[k], k, answers);
+        causes[i] = ends != NULL ? ends_look_03(&job->scenes[k], ends) : (Cause){0};
+        free(ends);
+    }
+    const int are_right = ends_in_leaves_03(job, LEAF_MAP, answers);
+    return are_right ? causes[1] : causes[0];
+}
+
 // The leaf maps are another check's.
 int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers)
 {

@@ -3,6 +3,7 @@
 #include "judge_03.h"
 
 #include "complain.h"
+#include "message.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -192,8 +193,13 @@ u32 leaf_at(const KdTree2D *tree, int x, int y)
 #define SMALL_CELLS "drawn as if the search ended in a small cell, leaf or not"
 #define FEWER_BITS "drawn as if the id of a node were kept in too few bits"
 
-// As DrawMistaken of picture.h has it. Outside the root any leaf is right.
-static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+// Number `mistake` of the known ways to go wrong; nothing behind the last.
+typedef struct Mistaken {
+    Walk walk;
+    u32 pair;  // of leaves with the halves of the root's cell, in the place of a walk; 0: none
+} Mistaken;
+
+static Mistaken mistaken_walk(const KdTree2D *tree, int mistake)
 {
     static const Walk walks[] = {
         {{.says = FEWER_BITS}, .id_bits = 0xff},
@@ -203,36 +209,66 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
         {{.says = SMALL_CELLS}, .narrowest = 1, .lowest = 1},
         {{.says = SMALL_CELLS}, .smallest = 1},
     };
-    const JobScene *scene = pointer;
-    const KdTree2D *tree = &scene->tree;
-    const struct {
-        u32 pair;
-        Cause looks;
-    } pairs[] = {
-        {FIRST_PAIR, {.says = IN_ARRAYS}},
-        {last_pair(tree), {.says = IN_ARRAYS}},
-        {FALSE_CHILDREN,
-         {.says = "drawn as if lChild said what is a leaf: nodes_flag does, a leaf's lChild means "
-                  "nothing"}},
+    const Mistaken pairs[] = {
+        {.walk = {{.says = IN_ARRAYS}}, .pair = FIRST_PAIR},
+        {.walk = {{.says = IN_ARRAYS}}, .pair = last_pair(tree)},
+        {.walk = {{.says = "drawn as if lChild said what is a leaf: nodes_flag does, a leaf's "
+                           "lChild means nothing"}},
+         .pair = FALSE_CHILDREN},
     };
     const int n_steps = mistake - COUNT(pairs) - COUNT(walks);
-    const Walk stopped = {
-        {.says = "drawn as if the search ended after a fixed number of steps, leaf or not"},
-        .n_steps = n_steps + 1};
-    if (n_steps >= MOST_LEVELS) {
-        return (Cause){0};
+    Mistaken mistaken = {.pair = 0};
+    if (mistake < COUNT(pairs)) {
+        mistaken = pairs[mistake];
+    } else if (n_steps < 0) {
+        mistaken.walk = walks[mistake - COUNT(pairs)];
+    } else if (n_steps < MOST_LEVELS) {
+        mistaken.walk.looks.says =
+            "drawn as if the search ended after a fixed number of steps, leaf or not";
+        mistaken.walk.n_steps = n_steps + 1;
     }
-    const int is_pair = mistake < COUNT(pairs);
-    const Walk *walk = n_steps >= 0 ? &stopped : &walks[is_pair ? 0 : mistake - COUNT(pairs)];
-    const u32 pair = pairs[is_pair ? mistake : 0].pair;
-    for (int i = 0; i < guess->width * guess->height; i++) {
+    return mistaken;
+}
+
+static u32 mistaken_end(const KdTree2D *tree, int x, int y, const Mistaken *mistaken)
+{
+    const u32 pair = mistaken->pair;
+    return pair != 0 ? pair + !cell_holds(tree->nodes_BBox[pair], x, y)
+                     : end_of_walk(tree, x, y, &mistaken->walk);
+}
+
+// As DrawMistaken of picture.h has it. Outside the root any leaf is right.
+static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+{
+    const JobScene *scene = pointer;
+    const KdTree2D *tree = &scene->tree;
+    const Mistaken mistaken = mistaken_walk(tree, mistake);
+    for (int i = 0; mistaken.walk.looks.says != NULL && i < guess->width * guess->height; i++) {
         const int x = i % guess->width, y = i / guess->width;
-        const u32 id = is_pair ? pair + !cell_holds(tree->nodes_BBox[pair], x, y)
-                               : end_of_walk(tree, x, y, walk);
-        node_color(scene, id, guess->pixels + (size_t)i * IMAGE_CHANNELS);
+        node_color(scene, mistaken_end(tree, x, y, &mistaken),
+                   guess->pixels + (size_t)i * IMAGE_CHANNELS);
         tolerances[i] = cell_holds(tree->nodes_BBox[0], x, y) ? 0 : INFINITY;
     }
-    return is_pair ? pairs[mistake].looks : walk->looks;
+    return mistaken.walk.looks;
+}
+
+Cause ends_look_03(const JobScene *scene, const u32 *ends)
+{
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const KdTree2D *tree = &scene->tree;
+    Mistaken mistaken = mistaken_walk(tree, 0);
+    for (int mistake = 1; mistaken.walk.looks.says != NULL; mistake++) {
+        int i = 0;
+        while (i < n_pixels && (!cell_holds(tree->nodes_BBox[0], i % width, i / width) ||
+                                ends[i] == mistaken_end(tree, i % width, i / width, &mistaken))) {
+            i++;
+        }
+        if (i == n_pixels) {
+            break;
+        }
+        mistaken = mistaken_walk(tree, mistake);
+    }
+    return mistaken.walk.looks;
 }
 
 int make_leaf_map(JobScene *scene, u32 first_id)
@@ -252,6 +288,37 @@ int make_leaf_map(JobScene *scene, u32 first_id)
     }
     expected_picture_recognise(expected, draw_mistaken, scene);
     return 0;
+}
+
+// The node of this colour; the number of nodes where it is none's.
+static u32 node_of_color(const JobScene *scene, const float *color)
+{
+    const u32 n_nodes = scene->tree.n_nodes;
+    const double id = 16 * (double)color[0] + 256 * (double)color[1] + 256 * 512 * (double)color[2];
+    float own[IMAGE_CHANNELS];
+    if (!(id >= 0 && id < n_nodes)) {
+        return n_nodes;
+    }
+    node_color(scene, (u32)id, own);
+    return memcmp(own, color, sizeof own) == 0 ? (u32)id : n_nodes;
+}
+
+char *first_wrong_end_03(const JobScene *scene, int k, const Sections *answers)
+{
+    const int width = scene->scene.width, n_pixels = width * scene->scene.height;
+    const ProbeImage own = job_picture_answer(&scene->picture, k, answers);
+    for (int i = 0; own.pixels != NULL && i < n_pixels; i++) {
+        const int x = i % width, y = i / width;
+        const u32 end = node_of_color(scene, probe_image_pixel(own, x, y));
+        const u32 leaf = leaf_at(&scene->tree, x, y);
+        if (leaf < scene->tree.n_nodes && end != leaf) {
+            return end < scene->tree.n_nodes
+                       ? message_new("at pixel (%d, %d) your search ends in node %u, expected %u",
+                                     x, y, end, leaf)
+                       : NULL;
+        }
+    }
+    return NULL;
 }
 
 // ---- Stairs -------------------------------------------------------------------------------------

@@ -18,7 +18,8 @@ static const JudgeCheck checks[] = {
      .function = &display_04, .range = {OBLONG * N_PIXELS, N_PIXELS}},
 
     {"ray-transform", "From the camera's axes to the scene's", "primary_ray", "pixel_on_display",
-     .function = &ray_transform_04, .range = {0, N_ALL_PIXELS}, .alone = are_turned_04},
+     .function = &ray_transform_04, .range = {0, N_ALL_PIXELS}, .alone = are_turned_04,
+     .alone_cause = judge_function_alone},
     {"ray-unit", "The direction is a unit vector", "primary_ray", .function = &ray_unit_04,
      .range = {0, N_ALL_PIXELS}},
     {"ray-limits", "From the eye on, without an end", "primary_ray", .function = &ray_limits_04,
@@ -26,10 +27,10 @@ static const JudgeCheck checks[] = {
 
     {"color-picture", "From -1 to 1 becomes from 0 to 1", "direction_color",
      "primary_ray pixel_on_display", .scene = judge_picture, .range = {RANDOM, ALONG - RANDOM},
-     .alone_scene = is_drawn_04},
+     .alone_scene = is_drawn_04, .alone_cause = drawn_cause_04},
     {"color-channels", "x is red, y is green, z is blue", "direction_color",
      "primary_ray pixel_on_display", .scene = judge_picture, .range = {ALONG, N_PICTURES - ALONG},
-     .alone_scene = is_drawn_04},
+     .alone_scene = is_drawn_04, .alone_cause = drawn_cause_04},
 };
 
 static const JobPart parts[] = {

@@ -59,5 +59,14 @@ int is_opposite_04(Vec3 found, OracleVector expected, double error);
 int write_alone_04(const void *job, const char *task, FILE *file);
 int are_turned_04(const void *job, const JudgeCheck *check, const Sections *answers);
 int is_drawn_04(const void *job, int k, const Sections *answers);
+Cause drawn_cause_04(const void *job, const JudgeCheck *check, const Sections *answers);
+
+// What stands in the hole of pixel_on_display then; and the direction of what stands in that of
+// primary_ray, as float and as it is.
+Vec3 stand_in_display_04(const PixelJob *in);
+Vec3 stand_in_direction_04(const SceneJob3D *scene, int x, int y);
+
+// Draw a picture of directions with a known mistake, by these. As DrawMistaken has it.
+Cause draw_directions_alone_04(const void *scene, int mistake, Image *guess, float *tolerances);
 
 #endif

@@ -32,6 +32,16 @@ static Ray stand_in_ray(int x, int y, int width, int height, Camera camera)
     return ray;
 }
 
+Vec3 stand_in_display_04(const PixelJob *in)
+{
+    return stand_in_display(in->x, in->y, in->width, in->height, in->camera.fov);
+}
+
+Vec3 stand_in_direction_04(const SceneJob3D *scene, int x, int y)
+{
+    return stand_in_ray(x, y, scene->width, scene->height, scene->camera).direction;
+}
+
 // How far the direction of a right ray may be off: three products and two sums of numbers no longer
 // than it is, and a normalisation, of few roundings of 2^-24 each. As in oracle3d.c.
 #define TURN_ERROR (32 * 0x1p-24)
@@ -49,7 +59,7 @@ static OracleVector unit(double x, double y, double z)
 // What the view transform makes of the stand-in's point: each axis as often as the point says.
 static OracleVector turned(const PixelJob *in)
 {
-    const Vec3 p = stand_in_display(in->x, in->y, in->width, in->height, in->camera.fov);
+    const Vec3 p = stand_in_display_04(in);
     const Vec3 right = in->camera.right, up = in->camera.up, forward = in->camera.forward;
     const double x = p.x, y = p.y, z = p.z;
     return unit(x * right.x + y * up.x + z * forward.x, x * right.y + y * up.y + z * forward.y,
@@ -90,6 +100,20 @@ int is_drawn_04(const void *job, int k, const Sections *answers)
     const SceneJob3D *scene = &((const Job04 *)job)->scenes[k];
     return alone_picture_is_right(answers, k, scene->width, scene->height, COLOR_ERROR,
                                   direction_color, scene);
+}
+
+static int expect_alone(const void *job, int k, ExpectedPicture *expected)
+{
+    const SceneJob3D *scene = &((const Job04 *)job)->scenes[k];
+    expected->background[3] = 1;
+    expected_picture_recognise(expected, draw_directions_alone_04, scene);
+    return alone_picture_expect(scene->width, scene->height, COLOR_ERROR, direction_color, scene,
+                                expected);
+}
+
+Cause drawn_cause_04(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    return alone_pictures_look(job, check->range.first, check->range.n, expect_alone, answers);
 }
 
 int write_alone_04(const void *pointer, const char *task, FILE *file)

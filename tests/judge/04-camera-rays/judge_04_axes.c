@@ -162,6 +162,8 @@ ONLY(out_of_range, i >= FIRST_LENGTH && some_have_left_range(answers),
      "these leave float's range")
 ONLY(of_length, i >= FIRST_LENGTH, "views of usual length are right, and any length counts")
 ONLY(backwards, IS_OPPOSITE(forward, 2), "forward points backwards")
+ONLY(right_of_backwards, IS_OPPOSITE(forward, 2) && IS_OPPOSITE(right, 0),
+     "right comes from forward, which points backwards")
 ONLY(right_to_left, IS_OPPOSITE(right, 0),
      "right points to the left: mind the order of the cross product")
 ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cross product")
@@ -171,7 +173,8 @@ ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cros
         &up_from_way, &steep, &out_of_range, &of_length
 static const Known *const known_of_lengths[] = {KNOWN_OF_ALL};
 static const Known *const known_of_forward[] = {KNOWN_OF_ALL, &backwards};
-static const Known *const known_of_up[] = {KNOWN_OF_ALL, &right_to_left, &up_is_down};
+static const Known *const known_of_up[] = {KNOWN_OF_ALL, &right_of_backwards, &right_to_left,
+                                           &up_is_down};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -64,6 +64,14 @@ ANSWERS(corner, POINT(X - 0.5, Y - 0.5),
 ANSWERS(far_corner, POINT(X + 0.5, Y + 0.5),
         "shifted by half a pixel: that is the pixel's far corner, not its middle",
         MISTAKE_SHIFTED_HALF)
+#define HALF_ACROSS                                                                                \
+    "shifted by half a pixel in one direction: the middle of the pixel is half a pixel on in "     \
+    "both",                                                                                        \
+        MISTAKE_SHIFTED_HALF
+ANSWERS(left_border, POINT(X - 0.5, Y), HALF_ACROSS)
+ANSWERS(right_border, POINT(X + 0.5, Y), HALF_ACROSS)
+ANSWERS(upper_border, POINT(X, Y - 0.5), HALF_ACROSS)
+ANSWERS(lower_border, POINT(X, Y + 0.5), HALF_ACROSS)
 ANSWERS(half_width, SIZED(2 * SIZE), "fov is the display's width, not half of it")
 ANSWERS(fov_height, SIZED(FOV / in->height), "fov is the display's width, not its height")
 ANSWERS(angle, SIZED(2 * tan(FOV / 2) / in->width), "fov is a width at distance 1, not an angle")
@@ -137,6 +145,10 @@ static const Known *const known[] = {
     &corner,
     &far_corner,
     &half_width,
+    &left_border,
+    &right_border,
+    &upper_border,
+    &lower_border,
     &fov_height,
     &angle,
     &longer_side,

@@ -9,13 +9,22 @@ static const OracleRules3D right = {0};
 // How far the colours of a mistake may be off: with the eye in them their rounding is that of it.
 #define GUESS_ERROR 1e-5f
 
-// What direction_color writes for a pixel of the scene, with a mistake; alpha is 1.
-typedef OracleVector ColorOf(const SceneJob3D *scene, int x, int y);
+// The ray of a pixel, right or of the stand-in.
+typedef OracleRay RayOf(const SceneJob3D *scene, int x, int y);
 
-static OracleRay ray_of(const SceneJob3D *scene, int x, int y)
+static OracleRay right_ray(const SceneJob3D *scene, int x, int y)
 {
     return oracle3d_primary_ray(&scene->camera, x, y, scene->width, scene->height, &right);
 }
+
+static OracleRay ray_alone(const SceneJob3D *scene, int x, int y)
+{
+    const Vec3 direction = stand_in_direction_04(scene, x, y);
+    return oracle3d_given_ray(direction, direction, 0);
+}
+
+// What direction_color writes for a pixel of the scene, with a mistake; alpha is 1.
+typedef OracleVector ColorOf(const SceneJob3D *scene, int x, int y, RayOf *ray_of);
 
 static OracleVector mapped(OracleVector direction)
 {
@@ -23,55 +32,55 @@ static OracleVector mapped(OracleVector direction)
     return vector_plus(vector_scaled(0.5, direction), half);
 }
 
-static OracleVector direction_color(const SceneJob3D *scene, int x, int y)
+static OracleVector direction_color(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     return mapped(ray_of(scene, x, y).direction);
 }
 
-static OracleVector unmapped(const SceneJob3D *scene, int x, int y)
+static OracleVector unmapped(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     return ray_of(scene, x, y).direction;
 }
 
-static OracleVector absolute(const SceneJob3D *scene, int x, int y)
+static OracleVector absolute(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     const OracleVector d = ray_of(scene, x, y).direction;
     return (OracleVector){fabs(d.x), fabs(d.y), fabs(d.z)};
 }
 
-static OracleVector positive(const SceneJob3D *scene, int x, int y)
+static OracleVector positive(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     const OracleVector d = ray_of(scene, x, y).direction;
     return (OracleVector){fmax(d.x, 0), fmax(d.y, 0), fmax(d.z, 0)};
 }
 
-static OracleVector half_halved(const SceneJob3D *scene, int x, int y)
+static OracleVector half_halved(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     const OracleVector quarter = {0.25, 0.25, 0.25};
-    return vector_minus(direction_color(scene, x, y), quarter);
+    return vector_minus(direction_color(scene, x, y, ray_of), quarter);
 }
 
-static OracleVector half_forgotten(const SceneJob3D *scene, int x, int y)
+static OracleVector half_forgotten(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     return vector_scaled(0.5, ray_of(scene, x, y).direction);
 }
 
-static OracleVector of_point(const SceneJob3D *scene, int x, int y)
+static OracleVector of_point(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     const OracleRay ray = ray_of(scene, x, y);
     return mapped(vector_plus(ray.origin, ray.direction));
 }
 
-static OracleVector of_swapped_size(const SceneJob3D *scene, int x, int y)
+static OracleVector of_swapped_size(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     SceneJob3D other = *scene;
     other.width = scene->height, other.height = scene->width;
-    return direction_color(&other, x, y);
+    return direction_color(&other, x, y, ray_of);
 }
 
-static OracleVector of_8_bits(const SceneJob3D *scene, int x, int y)
+static OracleVector of_8_bits(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
-    const OracleVector c = vector_scaled(255, direction_color(scene, x, y));
+    const OracleVector c = vector_scaled(255, direction_color(scene, x, y, ray_of));
     return (OracleVector){floor(c.x) / 255, floor(c.y) / 255, floor(c.z) / 255};
 }
 
@@ -90,28 +99,39 @@ static const struct {
 };
 
 // Draw a picture of these colours.
-static void draw(const SceneJob3D *scene, ColorOf *color, Image *image)
+static void draw(const SceneJob3D *scene, ColorOf *color, RayOf *ray_of, Image *image)
 {
     float *pixel = image->pixels;
     for (int y = 0; y < scene->height; y++) {
         for (int x = 0; x < scene->width; x++, pixel += IMAGE_CHANNELS) {
-            const OracleVector c = color(scene, x, y);
+            const OracleVector c = color(scene, x, y, ray_of);
             pixel[0] = (float)c.x, pixel[1] = (float)c.y, pixel[2] = (float)c.z, pixel[3] = 1;
         }
     }
 }
 
-// As DrawMistaken of picture.h has it.
-static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+static Cause draw_mistaken_by(const SceneJob3D *scene, int mistake, RayOf *ray_of, Image *guess,
+                              float *tolerances)
 {
     if (mistake >= COUNT(mistakes)) {
         return (Cause){0};
     }
-    draw(scene, mistakes[mistake].color, guess);
+    draw(scene, mistakes[mistake].color, ray_of, guess);
     for (int i = 0; i < guess->width * guess->height; i++) {
         tolerances[i] = GUESS_ERROR;
     }
     return mistakes[mistake].cause;
+}
+
+// As DrawMistaken of picture.h has it.
+static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    return draw_mistaken_by(scene, mistake, right_ray, guess, tolerances);
+}
+
+Cause draw_directions_alone_04(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    return draw_mistaken_by(scene, mistake, ray_alone, guess, tolerances);
 }
 
 int expect_directions_04(const SceneJob3D *scene, ExpectedPicture *expected)
@@ -121,8 +141,8 @@ int expect_directions_04(const SceneJob3D *scene, ExpectedPicture *expected)
     }
     expected->background[3] = 1;
     // Half of the direction's, and the rounding of product and sum.
-    expected->tolerance = (float)(ray_of(scene, 0, 0).direction_error / 2 + 2 * 0x1p-24);
+    expected->tolerance = (float)(right_ray(scene, 0, 0).direction_error / 2 + 2 * 0x1p-24);
     expected_picture_recognise(expected, draw_mistaken, scene);
-    draw(scene, direction_color, &expected->reference);
+    draw(scene, direction_color, right_ray, &expected->reference);
     return 0;
 }

@@ -33,19 +33,6 @@ static OracleRay ray_of(const PixelJob *in)
     const PixelJob *in = &((const Job04 *)job)->pixels[i];                                         \
     const Vec3 found = ((const PixelAnswer *)answers)[i].direction
 
-// Is a ray's direction right, of any length?
-static int is_turned(const PixelJob *in, Vec3 found)
-{
-    const OracleRay ray = ray_of(in);
-    const double length = vec3_length(found);
-    const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
-                       (float)(found.z / length)};
-    return length != 0 && is_near_04(unit, ray.direction, ray.direction_error);
-}
-
-RIGHT(is_right_direction, is_turned(in, found))
-RIGHT(is_unit, fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04)
-
 // Does a direction, of any length, go along a vector?
 static int goes_along(Vec3 found, OracleVector vector, double error)
 {
@@ -79,6 +66,13 @@ static OracleVector turned_back(const Camera *camera, OracleVector p)
                           vector_dot(p, vector_of(camera->forward))};
 }
 
+// The point on the display, as pixel_on_display has it, or its stand-in.
+static OracleVector display_of(const Job *job, const PixelJob *in)
+{
+    return job->is_alone ? vector_of(stand_in_display_04(in))
+                         : display(in, in->camera.fov, in->width, in->height);
+}
+
 static OracleVector with_unit_sides(OracleVector p)
 {
     p.z = 0;
@@ -88,8 +82,31 @@ static OracleVector with_unit_sides(OracleVector p)
 }
 
 #define CAMERA (&in->camera)
-#define DISPLAY display(in, in->camera.fov, in->width, in->height)
+#define DISPLAY display_of(job, in)
 #define IS_MIDDLE (2 * in->x + 1 == in->width && 2 * in->y + 1 == in->height)
+
+// The direction that a right ray has.
+static OracleRay expected_ray(const Job *job, const PixelJob *in)
+{
+    OracleRay ray = ray_of(in);
+    if (job->is_alone) {
+        ray.direction = vector_unit(turned_by(&in->camera, display_of(job, in)));
+    }
+    return ray;
+}
+
+// Is a ray's direction right, of any length?
+static int is_turned(const Job *job, const PixelJob *in, Vec3 found)
+{
+    const OracleRay ray = expected_ray(job, in);
+    const double length = vec3_length(found);
+    const Vec3 unit = {(float)(found.x / length), (float)(found.y / length),
+                       (float)(found.z / length)};
+    return length != 0 && is_near_04(unit, ray.direction, ray.direction_error);
+}
+
+RIGHT(is_right_direction, is_turned(job, in, found))
+RIGHT(is_unit, fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04)
 
 ANSWERS(turned_round, turned_back(CAMERA, DISPLAY),
         "the view transform is turned round: x times right plus y times up plus z times forward")
@@ -110,7 +127,7 @@ EACH(unit_sides, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, with_unit_sides(DISPLAY
 ONLY(
     far_eye,
     i >= FIRST_FAR_EYE &&
-        goes_along(found, ray_of(in).direction, 4 * 0x1p-24 * vec3_length(CAMERA->eye)),
+        goes_along(found, expected_ray(job, in).direction, 4 * 0x1p-24 * vec3_length(CAMERA->eye)),
     "from a near eye it is right, from a far eye its digits are lost: the eye, a large number, has "
     "no part in the direction")
 ONLY(is_zero, vec3_length(found) == 0, "it is zero")

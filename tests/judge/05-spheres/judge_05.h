@@ -60,6 +60,9 @@ typedef struct Inputs05 {
     const RootJob *roots;
     const SphereRayJob *spheres;
     OracleForm form;
+    // What stands in the hole of nearest_root where the answers are those of one task alone.
+    double (*root)(double b, double disc, double radius, double t_min, u32 lot);
+    u32 lot;
 } Inputs05;
 
 typedef struct Job05 {
@@ -87,6 +90,9 @@ int touches_exactly_05(const SphereRayJob *job);
 // The functions. The message about one names the mistake that explains every answer in the range.
 extern const Function nearest_root_05, textbook_05, projection_05, normal_05, shade_05;
 
+// The same two beside the stand-in of nearest_root: only what is handed to that is known.
+extern const Function textbook_alone_05, projection_alone_05;
+
 // ---- Alone --------------------------------------------------------------------------------------
 
 void roll_squares_05(Random *random, SquareScene scenes[N_SCENES]);
@@ -102,5 +108,7 @@ int square_work_05(const void *job, int k, const Sections *answers);
 int write_alone_05(const void *job, const char *task, FILE *file);
 int spheres_alone_05(const void *job, const JudgeCheck *check, const Sections *answers);
 int pixel_shades_05(const void *job, const JudgeCheck *check, const Sections *answers);
+Cause spheres_cause_05(const void *job, const JudgeCheck *check, const Sections *answers);
+Cause squares_cause_05(const void *job, const JudgeCheck *check, const Sections *answers);
 
 #endif

@@ -103,6 +103,21 @@ int spheres_alone_05(const void *whole, const JudgeCheck *check, const Sections 
     return passes;
 }
 
+Cause spheres_cause_05(const void *whole, const JudgeCheck *check, const Sections *answers)
+{
+    Job05 *job = alone_job(whole);
+    if (job == NULL) {
+        return (Cause){0};
+    }
+    job->of_textbook.root = job->of_sphere.root = stand_in_root;
+    job->of_textbook.lot = job->of_sphere.lot = job->job.lot;
+    const Function *function =
+        check->function == &textbook_05 ? &textbook_alone_05 : &projection_alone_05;
+    const Cause cause = function_cause(function, job, check->range, answers);
+    free(job);
+    return cause;
+}
+
 static int write_spheres(const Job05 *whole, int is_textbook, FILE *file)
 {
     Job05 *job = alone_job(whole);

@@ -144,18 +144,11 @@ ANSWERS(t_min_is_0, hit(in, ENTERS(0), LEAVES(0)), "t_min is the ray's, and need
 EACH(behind_missed, fabs(in.b) <= in.error || IS_FOUND(in.b < 0 ? INFINITY : HIT),
      "the centre is behind the eye, which does not matter where the eye is inside")
 
-// Of nearest_root only. A hair beyond t_min is more than what is closest beyond it among the
-// inputs, and less than all else.
-#define HAIR (in.t_min + 1e-5 * fmax(in.t_min, 1))
-
+// Of nearest_root only.
 ANSWERS(t_min_counts, hit(in, in.radius > 0 && in.t_near >= in.t_min, in.t_far >= in.t_min),
         "t_min itself does not count")
 ANSWERS(entry_at_t_min, hit(in, in.radius > 0 && in.t_near >= in.t_min, LEAVES(in.t_min)),
         "an entry at t_min itself does not count")
-ANSWERS(beyond_by_hair, hit(in, ENTERS(HAIR), LEAVES(HAIR)),
-        "a hit beyond t_min by however little counts: no epsilon")
-ANSWERS(entry_by_hair, hit(in, ENTERS(HAIR), LEAVES(in.t_min)),
-        "an entry beyond t_min by however little counts: no epsilon")
 ANSWERS(exit_unasked, hit(in, ENTERS(in.t_min), 1), "the exit counts beyond t_min only, too")
 ANSWERS(part_begins,
         in.radius > 0 && !in.is_miss && LEAVES(in.t_min) ? fmax(in.t_near, in.t_min) : HIT,
@@ -166,11 +159,107 @@ ANSWERS(root_of_negative, in.disc < 0 ? NAN : HIT,
         "a negative disc has no root: it is a miss, to be found before sqrt() makes NaN")
 ANSWERS(zero, HIT == INFINITY ? 0 : HIT, "where nothing is hit INFINITY is to be returned, not 0")
 
+// With another half of the chord.
+static int has_half(Line in, double half, float found)
+{
+    in.t_near = in.b - half, in.t_far = in.b + half;
+    in.error = 8 * ROUNDING * (fabs(in.b) + half);
+    return IS_FOUND(HIT);
+}
+
+static int has_root_of_size(Line in, float found)
+{
+    in.is_miss = 0;
+    return has_half(in, sqrt(fabs(in.disc)), found);
+}
+
+EACH(disc_unrooted, has_half(in, in.disc, found),
+     "disc is the square of half the chord: its root was forgotten")
+EACH(quarter_chord, has_half(in, sqrt(fmax(in.disc, 0)) / 2, found),
+     "sqrt(disc) is half of the chord already, and needs no division by 2")
+EACH(size_of_disc, has_root_of_size(in, found),
+     "a negative disc is a miss: the root of its size finds hits beside the sphere")
+
+// Epsilons, whose size is not known: the largest number that was taken for nothing says it.
+#define LARGEST_EPSILON 0.1
+
+typedef struct Epsilons {
+    double disc;         // that was taken for negative, 0 for none
+    double entry, exit;  // how far beyond t_min an entry was left out, or an exit; 0 for none
+} Epsilons;
+
+static Epsilons epsilons_of(const void *job, const void *answers)
+{
+    Epsilons epsilons = {0};
+    for (int i = 0; i < 3 * N_ROOTS; i++) {
+        GIVEN;
+        if (IS_FOUND(HIT)) {
+            continue;
+        }
+        if (ENTERS(in.t_min)) {
+            epsilons.entry = fmax(epsilons.entry, in.t_near - in.t_min);
+        }
+        if (LEAVES(in.t_min) && found == INFINITY) {
+            epsilons.exit = fmax(epsilons.exit, in.t_far - in.t_min);
+        }
+        epsilons.disc = fmax(epsilons.disc, in.is_miss ? INFINITY : in.disc);
+    }
+    return epsilons;
+}
+
+// With an epsilon for the disc; for t_min, of the entry alone or of both. What is far from all of
+// them is as it should be.
+static int is_by_disc(Line in, float found, const void *job, const void *answers)
+{
+    if (in.is_miss || in.disc > LARGEST_EPSILON) {
+        return IS_FOUND(HIT);
+    }
+    const double epsilon = epsilons_of(job, answers).disc;
+    return epsilon > 0 && epsilon <= LARGEST_EPSILON &&
+           IS_FOUND(in.disc <= epsilon ? INFINITY : HIT);
+}
+
+static int is_by_t_min(Line in, float found, const void *job, const void *answers, int of_both)
+{
+    if (fabs(in.t_near - in.t_min) > LARGEST_EPSILON &&
+        fabs(in.t_far - in.t_min) > LARGEST_EPSILON) {
+        return IS_FOUND(HIT);
+    }
+    const Epsilons epsilons = epsilons_of(job, answers);
+    const double epsilon = of_both ? fmax(epsilons.entry, epsilons.exit) : epsilons.entry;
+    return epsilon > 0 && epsilon <= LARGEST_EPSILON && (of_both || epsilons.exit == 0) &&
+           IS_FOUND(hit(in, in.radius > 0 && in.t_near - in.t_min > epsilon,
+                        in.t_far - in.t_min > (of_both ? epsilon : 0)));
+}
+
+EACH(disc_by_hair, is_by_disc(in, found, job, answers),
+     "a disc that is positive by however little, or 0, is a hit: compare it with 0, no epsilon")
+EACH(beyond_by_hair, is_by_t_min(in, found, job, answers, 1),
+     "a hit beyond t_min by however little counts: no epsilon")
+EACH(entry_by_hair, is_by_t_min(in, found, job, answers, 0),
+     "an entry beyond t_min by however little counts: no epsilon")
+
+// Does the answer come of a number that the stand-in of nearest_root makes of these?
+static int comes_of_stand_in(const Inputs05 *inputs, Line in, double b, double disc, double doubt,
+                             float found)
+{
+    const double half = sqrt(fmax(disc, 0));
+    const double least = inputs->root(b, fmax(disc - doubt, 0), in.radius, in.t_min, inputs->lot);
+    const double most = inputs->root(b, fmax(disc + doubt, 0), in.radius, in.t_min, inputs->lot);
+    const double error = 1e-4 * (fabs(b) + half + fabs(in.radius) + in.t_min);
+    return found == INFINITY ? disc <= doubt
+                             : disc >= -doubt && found >= least - error && found <= most + error;
+}
+
 // Of what is handed to nearest_root. Small spheres far away tell nothing of it: float may find the
 // disc positive or negative.
-static int comes_of(Line in, double b, double disc, float found)
+static int comes_of(const Inputs05 *inputs, Line in, double b, double disc, float found)
 {
     const double doubt = 0x1p-18 * (b * b + in.c2), half = sqrt(fmax(disc, 0));
+    if (inputs->root != NULL) {
+        return fabs(in.radius) > 1e-3 * sqrt(in.c2) &&
+               comes_of_stand_in(inputs, in, b, disc, doubt, found);
+    }
     in.is_miss = disc < 0, in.is_doubtful = fabs(disc) <= doubt;
     in.b = b, in.t_near = b - half, in.t_far = b + half;
     in.error = in.is_doubtful ? sqrt(doubt) : 1e-4 * (fabs(b) + half);
@@ -180,19 +269,28 @@ static int comes_of(Line in, double b, double disc, float found)
 #define C (in.c2 - in.radius * in.radius)
 #define LESS_WAY (in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)))
 
-EACH(b_turned, comes_of(in, -in.b, in.disc, found),
+EACH(b_turned, comes_of(inputs, in, -in.b, in.disc, found),
      "b has the wrong sign: what is ahead is taken for what is behind")
-EACH(both_undivided, comes_of(in, 2 * in.b, 4 * in.disc, found),
+EACH(both_undivided, comes_of(inputs, in, 2 * in.b, 4 * in.disc, found),
      "the formula with 2 b divides by 2 in the end: both roots are twice as far")
-EACH(disc_halved, comes_of(in, in.b, 2 * in.disc, found),
+EACH(disc_halved, comes_of(inputs, in, in.b, 2 * in.disc, found),
      "disc is twice as large: with 2 b for b it is divided by 4")
-EACH(four_times_c, comes_of(in, in.b, -4 * C + in.b * in.b, found),
+EACH(four_times_c, comes_of(inputs, in, in.b, -4 * C + in.b * in.b, found),
      "with half of the equation's b the discriminant is b² - c, not b² - 4 c")
-EACH(radius_as_it_is, comes_of(in, in.b, in.radius - in.c2 + in.b * in.b, found),
+EACH(c_turned, comes_of(inputs, in, in.b, C + in.b * in.b, found),
+     "c has the wrong sign: the discriminant is b² - c")
+EACH(b_doubled, comes_of(inputs, in, 2 * in.b, 4 * in.b * in.b - C, found),
+     "b is twice as large: b² - c goes with half of the equation's b")
+EACH(way_kept, comes_of(inputs, in, in.b, in.radius *in.radius - in.c2, found),
+     "l is the whole way to the centre: its part along the ray is to be taken off")
+EACH(length_as_it_is,
+     comes_of(inputs, in, in.b, in.radius *in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)), found),
+     "the length of l is not squared")
+EACH(radius_as_it_is, comes_of(inputs, in, in.b, in.radius - in.c2 + in.b * in.b, found),
      "the radius is not squared")
-EACH(radius_less_way, comes_of(in, in.b, pow(LESS_WAY, 2), found),
+EACH(radius_less_way, comes_of(inputs, in, in.b, pow(LESS_WAY, 2), found),
      "the square of r - |l| is never negative: the difference is that of squares")
-EACH(disc_turned, comes_of(in, in.b, -in.disc, found), "disc has the wrong sign")
+EACH(disc_turned, comes_of(inputs, in, in.b, -in.disc, found), "disc has the wrong sign")
 
 // The textbook's form is so far off with small spheres far away that any answer could be its: it
 // loses hits of the range, and finds others beside the sphere.
@@ -220,16 +318,23 @@ EACH(lost_afar, in.is_afar || is_right_hit(&inputs->spheres[i], inputs->form, fo
 ONLY(missed, found == INFINITY,
      "other hits are right, and nothing but a negative disc and t_min makes a miss")
 
-static const Known *const known_of_root[] = {
-    &touching_missed, &farther,      &any_distance,     &negative_missed, &inside_missed,
-    &sign_ignored,    &t_min_is_0,   &behind_missed,    &negative_always, &t_min_counts,
-    &entry_at_t_min,  &exit_unasked, &beyond_by_hair,   &entry_by_hair,   &part_begins,
-    &largest_float,   &zero,         &root_of_negative, &missed};
+static const Known *const known_of_root[] = {&touching_missed,  &farther,        &any_distance,
+                                             &negative_missed,  &inside_missed,  &sign_ignored,
+                                             &t_min_is_0,       &behind_missed,  &negative_always,
+                                             &t_min_counts,     &entry_at_t_min, &exit_unasked,
+                                             &disc_by_hair,     &beyond_by_hair, &entry_by_hair,
+                                             &part_begins,      &disc_unrooted,  &quarter_chord,
+                                             &size_of_disc,     &largest_float,  &zero,
+                                             &root_of_negative, &missed};
 static const Known *const known_of_sphere[] = {
-    &touching_missed, &farther,       &any_distance,  &negative_missed, &inside_missed,
-    &sign_ignored,    &t_min_is_0,    &behind_missed, &negative_always, &b_turned,
-    &both_undivided,  &disc_halved,   &four_times_c,  &radius_as_it_is, &radius_less_way,
-    &disc_turned,     &textbook_form, &lost_afar,     &missed};
+    &touching_missed, &farther,         &any_distance,    &negative_missed, &inside_missed,
+    &sign_ignored,    &t_min_is_0,      &behind_missed,   &negative_always, &b_turned,
+    &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,        &b_doubled,
+    &way_kept,        &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned,
+    &textbook_form,   &lost_afar,       &missed};
+static const Known *const known_alone[] = {
+    &b_turned, &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,   &b_doubled,
+    &way_kept, &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -259,3 +364,9 @@ const Function textbook_05 = {"textbook", 2 * N_SPHERES, sizeof(float),
 const Function projection_05 = {"projection", 3 * N_SPHERES, sizeof(float),
                                 KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
                                 .inputs = offsetof(Job05, of_sphere)};
+const Function textbook_alone_05 = {"textbook", 2 * N_SPHERES, sizeof(float),
+                                    KNOWING(is_right_sphere, describe_sphere, known_alone),
+                                    .inputs = offsetof(Job05, of_textbook)};
+const Function projection_alone_05 = {"projection", 3 * N_SPHERES, sizeof(float),
+                                      KNOWING(is_right_sphere, describe_sphere, known_alone),
+                                      .inputs = offsetof(Job05, of_sphere)};

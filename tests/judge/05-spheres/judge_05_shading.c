@@ -147,6 +147,16 @@ ANSWERS(sum_clamped, not_below_0(with_behind(in, lights, -1)),
         "a light behind the surface takes light away: each negative cosine counts as 0, not only a "
         "negative sum")
 
+static OracleNear turned_round(ShadeJob in, const Light *lights)
+{
+    in.normal = vec3_scaled(in.normal, -1);
+    return shaded(in, lights);
+}
+
+ANSWERS(way_turned, turned_round(in, lights),
+        "the way leads from the light to the point: the light's position less the point is the way "
+        "to it")
+
 // Of the number of lights.
 static ShadeJob lit_by(ShadeJob in, int n_lights)
 {
@@ -305,12 +315,12 @@ ANSWERS(decoded, bent(SHADED, 2.2),
         MISTAKE_GAMMA)
 
 static const Known *const known_shades[] = {
-    &not_clamped,    &lit_behind,     &sum_clamped,  &first_only,     &first_4,
-    &first_8,        &first_16,       &first_32,     &first_64,       &first_128,
-    &first_256,      &last_only,      &one_more,     &stops_behind,   &from_origin,
-    &kd_missing,     &color_missing,  &way_not_unit, &falls,          &no_light_color,
-    &light_red_only, &light_cut_at_1, &kd_each_time, &brightest_only, &mean,
-    &cut_at_1,       &highlight,      &swapped,      &encoded,        &decoded,
+    &not_clamped,    &lit_behind, &way_turned,     &sum_clamped,    &first_only,     &first_4,
+    &first_8,        &first_16,   &first_32,       &first_64,       &first_128,      &first_256,
+    &last_only,      &one_more,   &stops_behind,   &from_origin,    &kd_missing,     &color_missing,
+    &way_not_unit,   &falls,      &no_light_color, &light_red_only, &light_cut_at_1, &kd_each_time,
+    &brightest_only, &mean,       &cut_at_1,       &highlight,      &swapped,        &encoded,
+    &decoded,
 };
 
 static char *describe_shade(const void *job, int i, const void *answers)

@@ -104,29 +104,70 @@ int squares_05_write(const SquareScene scenes[N_SCENES], FILE *file)
     return result;
 }
 
-static int hits_square(const SquareScene *scene, int x, int y, HitAnswer found)
+// Does a hit take the place of the one so far?
+static int takes(float t, HitAnswer so_far, const OracleRules3D *rules)
 {
-    HitAnswer nearest = {INFINITY, ORACLE_NO_SPHERE};
-    for (int i = scene->n - 1; i >= 0; i--) {
-        const float t = stand_in_square(scene->squares[i], grid_ray(x, y));
-        if (!isinf(t) && t <= nearest.t) {
-            nearest = (HitAnswer){t, (u32)(scene->n_behind + i)};
-        }
-    }
-    return found.sphere == nearest.sphere && found.t == nearest.t;
+    const int is_first = so_far.sphere == ORACLE_NO_SPHERE;
+    return is_first               ? !isinf(t)
+           : isinf(t)             ? 0
+           : rules->first_wins    ? 0
+           : rules->last_wins     ? 1
+           : rules->farthest_wins ? t > so_far.t
+                                  : t < so_far.t || (rules->later_wins_ties && t == so_far.t);
 }
 
-int square_hits_05(const void *job, int k, const Sections *answers)
+static int hits_square(const SquareScene *scene, int x, int y, const OracleRules3D *rules,
+                       HitAnswer found)
 {
-    const SquareScene *scene = &((const Job05 *)job)->squares[k];
+    HitAnswer hit = {INFINITY, ORACLE_NO_SPHERE};
+    const int n = scene->n - rules->skip_last + rules->one_sphere_more;
+    for (int i = rules->skip_first && scene->n_behind == 0; i < n; i++) {
+        const float t = stand_in_square(scene->squares[i], grid_ray(x, y));
+        if (takes(t, hit, rules)) {
+            hit = (HitAnswer){t, (u32)(scene->n_behind + i)};
+        }
+    }
+    return found.sphere == hit.sphere && found.t == hit.t;
+}
+
+// Are all hits of scene K those by these rules?
+static int hits_squares(const Job05 *job, int k, const OracleRules3D *rules,
+                        const Sections *answers)
+{
+    const SquareScene *scene = &job->squares[k];
     const int n_pixels = scene->width * scene->height;
     const HitAnswer *found = job_section_find(answers, "hits", k, (size_t)n_pixels * sizeof *found);
     int i = 0;
     while (found != NULL && i < n_pixels &&
-           hits_square(scene, i % scene->width, i / scene->width, found[i])) {
+           hits_square(scene, i % scene->width, i / scene->width, rules, found[i])) {
         i++;
     }
     return i == n_pixels;
+}
+
+int square_hits_05(const void *job, int k, const Sections *answers)
+{
+    static const OracleRules3D right = {0};
+    return hits_squares(job, k, &right, answers);
+}
+
+// Does a mistake explain the hits of all scenes? Of those of one sphere it makes no difference.
+Cause squares_cause_05(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    OracleRules3D rules = {0};
+    Cause cause = hit_mistake(0, &rules);
+    (void)check;
+    for (int i = 1; cause.says != NULL; i++) {
+        int k = 0;
+        while (k < N_SCENES && hits_squares(job, k, &rules, answers)) {
+            k++;
+        }
+        if (k == N_SCENES) {
+            break;
+        }
+        cause = hit_mistake(i, &rules);
+    }
+    return cause;
 }
 
 int square_work_05(const void *job, int k, const Sections *answers)

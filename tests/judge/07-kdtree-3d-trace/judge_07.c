@@ -212,9 +212,11 @@ static const JudgeCheck checks[] = {
      .range = {0, N_LEAVES}},
 
     {"child-one", "Where the ray meets one child", "next_child", "near_side children_on_ray",
-     .function = &child_07, .range = RANGE(0, N_CHILD_INPUTS), .alone = one_child_alone_07},
+     .function = &child_07, .range = RANGE(0, N_CHILD_INPUTS), .alone = one_child_alone_07,
+     .alone_cause = judge_function_alone},
     {"child-both", "Where it meets both: one waits", "next_child", "near_side children_on_ray",
-     .function = &child_07, .range = RANGE(1, N_CHILD_INPUTS), .alone = both_children_alone_07},
+     .function = &child_07, .range = RANGE(1, N_CHILD_INPUTS), .alone = both_children_alone_07,
+     .alone_cause = judge_function_alone},
     {"trace-random", "No pinholes in random scenes", "next_child", "*", .scene = judge_hits,
      .range = {RANDOM, N_RANDOM}, .alone = children_alone_07},
     {"trace-picture", "Whole pictures", "next_child", "*", .scene = judge_picture,

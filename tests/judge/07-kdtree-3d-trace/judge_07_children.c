@@ -61,6 +61,24 @@ static int same_child(NextChildAnswer found, NextChildAnswer expected)
     return same_entry(found.next, expected.next) && same_stack(&found.todo, &expected.todo);
 }
 
+// ---- Stand-ins ----------------------------------------------------------------------------------
+
+// What the stand-ins know on the device under the same names.
+typedef unsigned int uint;
+enum { ONLY_NEAR, ONLY_FAR, BOTH };
+_Static_assert((int)ONLY_FAR == PLANE_ONLY_FAR && (int)BOTH == PLANE_BOTH, "the same numbers");
+
+static uint stand_in_side(KdNode3 node, float origin, float inverse, uint LOT)
+{
+#include "07-kdtree-3d-trace/near_side.cl"
+}
+
+static int stand_in_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
+                             uint LOT, float *t_split)
+{
+#include "07-kdtree-3d-trace/children_on_ray.cl"
+}
+
 // ---- Right --------------------------------------------------------------------------------------
 
 // What near_side and children_on_ray say.
@@ -69,11 +87,6 @@ typedef struct Met {
     int children;  // PLANE_ONLY_NEAR, PLANE_ONLY_FAR or PLANE_BOTH
     float t_split;
 } Met;
-
-// The children, and where the ray is in them.
-typedef struct Parts {
-    TodoEntry near, far;
-} Parts;
 
 static Met met_by_ray(const NextChildJob *in)
 {
@@ -85,6 +98,25 @@ static Met met_by_ray(const NextChildJob *in)
                                        : PLANE_BOTH,
                  t_split};
 }
+
+static Met met_by_lot(const NextChildJob *in, uint lot)
+{
+    Met met = {.side = stand_in_side(in->node, in->origin, in->inverse, lot)};
+    met.children = stand_in_children(in->node, in->origin, in->inverse, in->t_min, in->t_max, lot,
+                                     &met.t_split);
+    return met;
+}
+
+// As the other two tasks say, or their stand-ins.
+static Met met_by(const Job *job, const NextChildJob *in)
+{
+    return job->is_alone ? met_by_lot(in, job->lot) : met_by_ray(in);
+}
+
+// The children, and where the ray is in them.
+typedef struct Parts {
+    TodoEntry near, far;
+} Parts;
 
 static Parts parts_of(const NextChildJob *in, Met met)
 {
@@ -108,7 +140,7 @@ static NextChildAnswer child(const NextChildJob *in, Met met)
     return visited(in, met, parts_of(in, met));
 }
 
-#define MET met_by_ray(in)
+#define MET met_by(job, in)
 #define PARTS parts_of(in, MET)
 
 RIGHT(is_right, IS_FOUND(child(in, MET)))
@@ -130,16 +162,16 @@ static Met without_points(const NextChildJob *in, Met met)
                                       : met;
 }
 
-static NextChildAnswer from_side(const NextChildJob *in, u32 side)
+static NextChildAnswer from_side(const Job *job, const NextChildJob *in, u32 side)
 {
     return child(in, (Met){side, MET.children, MET.t_split});
 }
 
-ANSWERS(swapped, from_side(in, !MET.side), "that is as if near and far child were swapped")
-ANSWERS(by_direction, from_side(in, in->inverse < 0),
+ANSWERS(swapped, from_side(job, in, !MET.side), "that is as if near and far child were swapped")
+ANSWERS(by_direction, from_side(job, in, in->inverse < 0),
         "that is as if the direction decided which child is near: the eye's side does, which "
         "near_side() tells")
-ANSWERS(lower_is_near, from_side(in, 0),
+ANSWERS(lower_is_near, from_side(job, in, 0),
         "the lower child was taken for the near one, wherever the eye is")
 ANSWERS(far_is_near, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_ONLY_NEAR)),
         "that is as if the search went to the near child where only the far one is met")
@@ -175,7 +207,7 @@ static NextChildAnswer going_to(NextChildAnswer answer, u32 node)
 }
 
 // In which part it waits, or where the near one's ends, has many ways to be wrong.
-static int waits_always(const NextChildJob *in, const NextChildAnswer *found)
+static int waits_always(const Job *job, const NextChildJob *in, const NextChildAnswer *found)
 {
     const u32 top = in->todo.n - in->todo.n_lower;
     return MET.children == PLANE_ONLY_NEAR
@@ -189,11 +221,17 @@ ANSWERS(far_dropped, ((NextChildAnswer){child(in, MET).next, in->todo}),
         MISTAKE_FAR_CHILD)
 ANSWERS(near_waits, visited(in, MET, swapped_if_both(MET, PARTS)),
         "the near child waits, and the far one is visited first")
+ANSWERS(parts_swapped,
+        visited(in, MET,
+                (Parts){{PARTS.near.node, PARTS.far.t_min, PARTS.far.t_max},
+                        {PARTS.far.node, PARTS.near.t_min, PARTS.near.t_max}}),
+        "the two parts are swapped: the near child has the one up to t_split, the far child the "
+        "one from there on")
 ANSWERS(keeps_t_max, visited(in, MET, with_ends(PARTS, in->t_max, PARTS.far.t_min)),
         "that is as if t_max did not become t_split for the near child")
 ANSWERS(keeps_t_min, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, in->t_min)),
         "that is as if t_min did not become t_split for the far child, which begins at t_split")
-EACH(always_waits, waits_always(in, found),
+EACH(always_waits, waits_always(job, in, found),
      "that is as if the far child waited also where only the near one is met")
 ANSWERS(is_side, visited(in, MET, with_ids(PARTS, MET.side, !MET.side)),
         "0 and 1 are sides: the children's ids are node.first and node.first + 1")
@@ -231,10 +269,11 @@ ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in
      "only where one place is left on the stack is it wrong: that is enough, as the near child "
      "takes none")
 
-static const Known *const known[] = {
-    &swapped,      &by_direction, &lower_is_near, &far_is_near, &never_skipped, &no_points,
-    &far_dropped,  &near_waits,   &keeps_t_max,   &keeps_t_min, &always_waits,  &is_side,
-    &goes_to_side, &by_bit,       &near_cut,      &far_cut,     &hair,          &last_place};
+static const Known *const known[] = {&swapped,       &by_direction, &lower_is_near, &far_is_near,
+                                     &never_skipped, &no_points,    &far_dropped,   &near_waits,
+                                     &parts_swapped, &keeps_t_max,  &keeps_t_min,   &always_waits,
+                                     &is_side,       &goes_to_side, &by_bit,        &near_cut,
+                                     &far_cut,       &hair,         &last_place};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -243,7 +282,7 @@ static char *describe(const void *job, int i, const void *answers)
     GIVEN;
     const NextChildAnswer expected = child(in, MET);
     return message_new("children %u and %u, plane at %g, eye at %g, 1 / direction %g, part [%g, "
-                       "%g]: found %s, expected %s",
+                       "%g]: your code goes on with %s, expected %s",
                        in->node.first, in->node.first + 1, in->node.split_pos, in->origin,
                        in->inverse, in->t_min, in->t_max, next_child_words(&in->todo, found).text,
                        next_child_words(&in->todo, &expected).text);
@@ -254,22 +293,6 @@ const Function child_07 = {"next_child", 2 * N_CHILD_INPUTS, sizeof(NextChildAns
 
 // ---- Alone --------------------------------------------------------------------------------------
 
-// What the stand-ins know on the device under the same names.
-typedef unsigned int uint;
-enum { ONLY_NEAR, ONLY_FAR, BOTH };
-_Static_assert((int)ONLY_FAR == PLANE_ONLY_FAR && (int)BOTH == PLANE_BOTH, "the same numbers");
-
-static uint stand_in_side(KdNode3 node, float origin, float inverse, uint LOT)
-{
-#include "07-kdtree-3d-trace/near_side.cl"
-}
-
-static int stand_in_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
-                             uint LOT, float *t_split)
-{
-#include "07-kdtree-3d-trace/children_on_ray.cl"
-}
-
 // Is next_child right wherever the ray meets one child, or both, as the stand-ins have it?
 enum { ONE_MET = 1, BOTH_MET = 2 };
 static int pass_children(const Job07 *job, int met, const Sections *answers)
@@ -279,9 +302,7 @@ static int pass_children(const Job07 *job, int met, const Sections *answers)
     int passes = found != NULL;
     for (int i = 0; passes && i < COUNT(job->inputs.children); i++) {
         const NextChildJob *in = &job->inputs.children[i];
-        Met said = {.side = stand_in_side(in->node, in->origin, in->inverse, lot)};
-        said.children = stand_in_children(in->node, in->origin, in->inverse, in->t_min, in->t_max,
-                                          lot, &said.t_split);
+        const Met said = met_by_lot(in, lot);
         const int is_asked = met & (said.children == BOTH ? BOTH_MET : ONE_MET);
         passes = !is_asked || same_child(found[i], child(in, said));
     }

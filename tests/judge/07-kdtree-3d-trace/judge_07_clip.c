@@ -37,6 +37,7 @@ typedef struct Way {
     int exit_ahead;               // an exit ahead is enough,
     int always_met;               // or nothing is needed
     int point_missed;             // nothing is left where t_min and t_max are equal
+    u32 skipped;                  // axes that are not asked, a bit for each
     double small;                 // directions below that are 0
     double beside;                // so far beside the box, or so short in it,
     double shorter;               // is met, or missed
@@ -58,6 +59,9 @@ static Clip clipped(const ClipJob *in, Way way)
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
     int n_axes = 0, is_outside = 0, is_decided = 0;
     for (u32 axis = 0; axis < 3 && !is_decided; axis++) {
+        if (way.skipped >> axis & 1) {
+            continue;
+        }
         const double min = in->box.min[axis], max = in->box.max[axis];
         const double direction = vector_component(vector_of(in->direction), axis);
         if (direction == 0 || fabs(direction) < way.small) {
@@ -175,6 +179,13 @@ ANSWERS(entry_behind, clipped(in, (Way){.entry_behind = 1}),
         "that is as if an entry behind the eye made a miss: the eye may be between the planes, or "
         "in the box")
 
+#define AXIS_SKIPPED                                                                               \
+    "that is as if one of the three axes were not asked: the loop ends too soon, or begins too "   \
+    "late"
+ANSWERS(skips_x, clipped(in, (Way){.skipped = 1}), AXIS_SKIPPED)
+ANSWERS(skips_y, clipped(in, (Way){.skipped = 2}), AXIS_SKIPPED)
+ANSWERS(skips_z, clipped(in, (Way){.skipped = 4}), AXIS_SKIPPED)
+
 // Of an epsilon, whose size is not known: what comes of a large one.
 ONLY(small_is_along, IS_FOUND(clipped(in, (Way){.small = HAIR})),
      "that is as if a small direction were 0: a ray is along the planes only where it is exactly "
@@ -184,11 +195,11 @@ ONLY(hair_met, IS_FOUND(clipped(in, (Way){.beside = HAIR})),
 ONLY(hair_missed, IS_FOUND(clipped(in, (Way){.shorter = HAIR})),
      "that is as if a part that is short were none: compare without an epsilon")
 
-static const Known *const known[] = {&low_is_entry,   &no_t_min,       &no_t_max,  &no_part,
-                                     &from_0,         &first_entry,    &last_exit, &point_missed,
-                                     &along_ignored,  &along_missed,   &along_met, &always_met,
-                                     &border_divided, &border_outside, &unstored,  &exit_ahead,
-                                     &entry_behind,   &small_is_along, &hair_met,  &hair_missed};
+static const Known *const known[] = {
+    &low_is_entry, &no_t_min,     &no_t_max,       &no_part,        &from_0,         &first_entry,
+    &last_exit,    &point_missed, &along_ignored,  &along_missed,   &along_met,      &always_met,
+    &skips_x,      &skips_y,      &skips_z,        &border_divided, &border_outside, &unstored,
+    &exit_ahead,   &entry_behind, &small_is_along, &hair_met,       &hair_missed};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -77,6 +77,7 @@ static LeafHit searched(const Inputs07 *inputs, int i, Way way)
 // How a loop over the leaf decides whether a distance takes the place of the one so far.
 typedef enum Comparison {
     NEARER,
+    NOT_FARTHER,     // t <= hit->t: a miss as far as no hit so far, too
     FARTHER,         // t > hit->t: misses, which are infinitely far, win
     FARTHER_HIT,     // the same, but misses are passed over: no hit so far stays for ever
     FARTHER_OR_ANY,  // the same, but in place of no hit so far comes any
@@ -93,6 +94,9 @@ typedef struct Loop {
 // Does a distance take the place of the one so far?
 static int takes(Loop loop, double t, u32 id, const LeafHit *so_far)
 {
+    if (loop.comparison == NOT_FARTHER) {
+        return t <= so_far->t;
+    }
     if (t == so_far->t && t < INFINITY) {
         return loop.lower_wins && id < so_far->sphere;
     }
@@ -233,6 +237,10 @@ ANSWERS(last_wins, searched(inputs, i, (Way){.rules = {.last_wins = 1}}),
 ANSWERS(farthest_wins, searched(inputs, i, (Way){.rules = {.farthest_wins = 1}}),
         "that is as if the farthest sphere won")
 
+ANSWERS(not_farther, looped(inputs, i, (Loop){.comparison = NOT_FARTHER}),
+        "of two equally far spheres the later one won, and of misses, too: t <= hit->t",
+        MISTAKE_LATER_OF_EQUALS)
+
 #define FARTHER_WINS "that is as if a hit had to be farther than the one so far: t > hit->t"
 ANSWERS(farther, looped(inputs, i, (Loop){.comparison = FARTHER}), FARTHER_WINS)
 ANSWERS(farther_low, looped(inputs, i, (Loop){.comparison = FARTHER, .lower_wins = 1}),
@@ -258,11 +266,12 @@ ANSWERS(from_start, looped(inputs, i, (Loop){.from_start = 1}), FIRST_IDS)
 ANSWERS(from_start_low, looped(inputs, i, (Loop){.from_start = 1, .lower_wins = 1}), FIRST_IDS)
 
 static const Known *const known[] = {
-    &miss_taken, &longest,     &hair,           &near_eye,        &far_away,       &unchanged,
-    &position,   &sphere_kept, &t_kept,         &hit_forgotten,   &last_missing,   &first_missing,
-    &one_more,   &later_wins,  &hit_stays,      &first_wins,      &last_wins,      &farthest_wins,
-    &farther,    &farther_low, &farther_hit,    &farther_hit_low, &farther_or_any, &asked,
-    &asked_low,  &asked_kept,  &asked_kept_low, &kept_low,        &from_start,     &from_start_low};
+    &miss_taken,    &longest,     &hair,        &near_eye,       &far_away,        &unchanged,
+    &position,      &sphere_kept, &t_kept,      &hit_forgotten,  &last_missing,    &first_missing,
+    &one_more,      &later_wins,  &hit_stays,   &first_wins,     &last_wins,       &farthest_wins,
+    &not_farther,   &farther,     &farther_low, &farther_hit,    &farther_hit_low, &farther_or_any,
+    &asked,         &asked_low,   &asked_kept,  &asked_kept_low, &kept_low,        &from_start,
+    &from_start_low};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -203,6 +203,9 @@ EACH(backwards, is_met_at(in, found, -t_of(in)), "t_split has the wrong sign")
 EACH(divided, is_met_at(in, found, t_of(in) / pow(in->inverse, 2)),
      "t_split is divided by the inverse: it is 1 / direction already")
 EACH(from_zero, is_met_at(in, found, t_from(in, 0)), "t_split is computed without the origin")
+ANSWERS(always_both, children_but(in, 1, BOTH_BIT),
+        "that is as if every plane were met: where it is behind the eye, beyond t_max or before "
+        "t_min, the ray meets one child only")
 EACH(moved, is_same(found, clamped_first(in)),
      "t_split was moved into [t_min, t_max] before it was compared: then every plane ahead is met")
 
@@ -214,7 +217,7 @@ static const Known *const known[] = {
     &beyond_both, &crossed_both, &crossed_near, &inside_near,    &inside_far, &at_t_min,
     &at_t_max,    &along_both,   &along_far,    &infinite_both,  &along_met,  &small_is_along,
     &hair_ahead,  &hair_behind,  &hair_t_min,   &hair_t_max,     &hair_wider, &backwards,
-    &divided,     &from_zero,    &moved};
+    &divided,     &from_zero,    &moved,        &always_both};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -97,12 +97,18 @@ static const Known *const known[] = {&far_side,       &coming_from,    &going_to
 
 // ---- Answers ------------------------------------------------------------------------------------
 
+static const char *side_words(u32 side)
+{
+    return side == LOWER ? ", the lower child" : side == UPPER ? ", the upper child" : "";
+}
+
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return message_new("plane at %.9g, eye at %.9g, 1 / direction %g: found %u, expected %u",
-                       in->node.split_pos, in->origin, in->inverse, found,
-                       near_side(in) == EITHER ? LOWER : near_side(in));
+    const u32 expected = near_side(in) == EITHER ? LOWER : near_side(in);
+    return message_new("plane at %.9g, eye at %.9g, 1 / direction %g: found %u%s, expected %u%s",
+                       in->node.split_pos, in->origin, in->inverse, found, side_words(found),
+                       expected, side_words(expected));
 }
 
 const Function side_07 = {"sides", 2 * N_SIDE_INPUTS, sizeof(u32),

@@ -150,7 +150,7 @@ static char *describe(const void *job, int i, const void *answers)
     GIVEN;
     const NextWaitingAnswer expected = WAITING;
     return message_new("the nearest hit is at %.9g, the leaf's part [%g, %g], and %u node%s "
-                       "waiting: found %s, expected %s",
+                       "waiting: your code %s, expected: it %s",
                        in->t, in->at.t_min, in->at.t_max, in->todo.n,
                        in->todo.n == 1 ? " is" : "s are", next_waiting_words(found).text,
                        next_waiting_words(&expected).text);

@@ -128,6 +128,7 @@ static SahNode node_of(const Job08 *job, int i)
 static int follows(const Job08 *job, int i, BestAnswer found, Way way)
 {
     const SahNode node = node_of(job, i);
+    way.is_stand_in |= job->job.is_alone;
     const Planes planes = weighed(&node, job->job.lot, way);
     const Plane best = best_of(&node, &planes, way);
     if (best.cost == INFINITY) {

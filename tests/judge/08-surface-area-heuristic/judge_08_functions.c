@@ -16,14 +16,21 @@
 // NaN is not near to anything.
 #define IS_FOUND(cost) (fabs(found - (cost)) <= SAH_COST_TOLERANCE * fabs(cost))
 
-RIGHT(is_cost, IS_FOUND(sah_cost(in)))
+static double stand_in_area(BBox3D box, u32 LOT)
+{
+#include "08-surface-area-heuristic/surface_area.c"
+}
 
-// ---- split_cost: mistakes -----------------------------------------------------------------------
+// A cell's area as surface_area has it, or its stand-in.
+static double area_of(const Job *job, BBox3D box)
+{
+    return job->is_alone ? stand_in_area(box, job->lot) : sah_area(box);
+}
 
 // The areas of the lower child, of the higher one, and of the cell; and their spheres.
-#define L sah_area(sah_lower(in))
-#define H sah_area(sah_higher(in))
-#define A sah_area(in.box)
+#define L area_of(job, sah_lower(in))
+#define H area_of(job, sah_higher(in))
+#define A area_of(job, in.box)
 #define N_L ((double)in.n_lower)
 #define N_H ((double)in.n_higher)
 #define TESTS ((L * N_L + H * N_H) / A)
@@ -32,6 +39,17 @@ static double with_tests(double n_expected)
 {
     return SAH_TRAVERSAL + SAH_TEST * n_expected;
 }
+
+static double cost_of(const Job *job, CostJob in)
+{
+    return job->is_alone ? with_tests(TESTS) : sah_cost(in);
+}
+
+#define COST cost_of(job, in)
+
+RIGHT(is_cost, IS_FOUND(COST))
+
+// ---- split_cost: mistakes -----------------------------------------------------------------------
 
 // The expected number of tests, with another measure than the area.
 static double tests_by(double (*size)(BBox3D box), CostJob in)
@@ -81,7 +99,7 @@ ANSWERS(lower_uncut, with_tests((A * N_L + H * N_H) / A),
         "the lower child's box is not cut at the plane")
 ANSWERS(higher_uncut, with_tests((L * N_L + A * N_H) / A),
         "the higher child's box is not cut at the plane")
-ANSWERS(cut_across_x, sah_cost(across_x(in)),
+ANSWERS(cut_across_x, cost_of(job, across_x(in)),
         "the children are cut across x, whatever the split's axis is")
 ANSWERS(one_at_least, with_tests((L * fmax(N_L, 1) + H * fmax(N_H, 1)) / A),
         "a child without spheres costs no test")
@@ -100,19 +118,19 @@ ANSWERS(flat_is_missed,
         "a child that the plane leaves flat still has a surface, and rays meet it")
 
 // With an empty child all of it is cheaper, or the tests are.
-static double with_bonus(CostJob in, double of_step, double of_tests)
+static double with_bonus(const Job *job, CostJob in, double of_step, double of_tests)
 {
     return in.n_lower == 0 || in.n_higher == 0
                ? of_step * SAH_TRAVERSAL + of_tests * SAH_TEST * TESTS
-               : sah_cost(in);
+               : COST;
 }
 
 EACH(bonus,
-     IS_FOUND(with_bonus(in, 0.8, 0.8)) || IS_FOUND(with_bonus(in, 0.5, 0.5)) ||
-         IS_FOUND(with_bonus(in, 1, 0.8)) || IS_FOUND(with_bonus(in, 1, 0.5)),
+     IS_FOUND(with_bonus(job, in, 0.8, 0.8)) || IS_FOUND(with_bonus(job, in, 0.5, 0.5)) ||
+         IS_FOUND(with_bonus(job, in, 1, 0.8)) || IS_FOUND(with_bonus(job, in, 1, 0.5)),
      "that a child is empty makes a split no cheaper: the formula has no bonus for it")
-ANSWERS(empty_saves_step, with_bonus(in, 0, 1), "the step is paid where a child is empty, too")
-ANSWERS(none_saves_step, N_L + N_H == 0 ? 0 : sah_cost(in),
+ANSWERS(empty_saves_step, with_bonus(job, in, 0, 1), "the step is paid where a child is empty, too")
+ANSWERS(none_saves_step, N_L + N_H == 0 ? 0 : COST,
         "the step is paid where both children are empty, too")
 
 // All with more spheres in a child than that are wrong, and no others.
@@ -145,25 +163,19 @@ static char *describe_cost(const void *job, int i, const void *answers)
 const Function cost_08 = {"costs", N_COSTS, sizeof(double),
                           KNOWING(is_cost, describe_cost, cost_known), .counted = "splits"};
 
-static double stand_in_area(BBox3D box, u32 LOT)
-{
-#include "08-surface-area-heuristic/surface_area.c"
-}
-
 // Nobody has to call surface_area: costs by the true areas are right, too.
-int costs_alone_08(const void *job, const JudgeCheck *check, const Sections *answers_section)
+int costs_alone_08(const void *pointer, const JudgeCheck *check, const Sections *answers_section)
 {
-    const u32 lot = ((const Job08 *)job)->job.lot;
+    const Job08 *whole = pointer;
+    const Job alone = {.lot = whole->job.lot, .is_alone = 1};
     const double *answers = function_answers(check->function, answers_section);
     int n_right = 0, n_following = 0;
     for (int k = 0; answers != NULL && k < check->range.n; k++) {
         const int i = range_at(check->range, k);
-        GIVEN;
-        const double tests =
-            (stand_in_area(sah_lower(in), lot) * N_L + stand_in_area(sah_higher(in), lot) * N_H) /
-            stand_in_area(in.box, lot);
-        n_right += is_cost(job, i, answers);
-        n_following += IS_FOUND(with_tests(tests));
+        const CostJob in = whole->costs[i];
+        const double found = answers[i];
+        n_right += IS_FOUND(sah_cost(in));
+        n_following += IS_FOUND(cost_of(&alone, in));
     }
     return n_right == check->range.n || n_following == check->range.n;
 }

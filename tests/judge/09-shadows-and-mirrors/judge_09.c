@@ -19,6 +19,9 @@ static int roll(void *pointer, Random *random)
         return -1;
     }
     roll_lits_09(random, job);
+    for (int k = 0; k < N_SCENES; k++) {
+        job->scenes[k].lot = job->job.lot;
+    }
     return 0;
 }
 
@@ -55,21 +58,25 @@ static const JudgeCheck checks[] = {
      .function = &block_early_09, .range = {0, N_BLOCKS}},
 
     {"lit-shadow", "One light, and what may stand between", "lit_color", "shadow_ray leaf_blocks",
-     .function = &lit_09, .range = RANGE(0, N_LIT_INPUTS), .alone = lits_alone_09},
+     .function = &lit_09, .range = RANGE(0, N_LIT_INPUTS), .alone = lits_alone_09,
+     .alone_cause = judge_function_alone},
     {"lit-behind", "A ray for each light before the surface, and no other", "lit_color",
      "shadow_ray leaf_blocks", .function = &lit_09, .range = RANGE(1, N_LIT_INPUTS),
-     .alone = lits_alone_09},
+     .alone = lits_alone_09, .alone_cause = judge_function_alone},
     {"lit-lights", "Every light for itself", "lit_color", "shadow_ray leaf_blocks",
-     .function = &lit_09, .range = RANGE(2, N_LIT_INPUTS), .alone = lits_alone_09},
+     .function = &lit_09, .range = RANGE(2, N_LIT_INPUTS), .alone = lits_alone_09,
+     .alone_cause = judge_function_alone},
 
     {"color-local", "Without mirrors", "ray_color", "*", .scene = judge_picture,
-     .range = {LOCAL, N_LOCAL}, .alone_scene = picture_alone_09},
+     .range = {LOCAL, N_LOCAL}, .alone_scene = picture_alone_09, .alone_cause = picture_cause_09},
     {"color-mirrors", "One mirror or two", "ray_color", "*", .scene = judge_picture,
-     .range = {MIRRORS, N_MIRRORS}, .alone_scene = picture_alone_09},
+     .range = {MIRRORS, N_MIRRORS}, .alone_scene = picture_alone_09,
+     .alone_cause = picture_cause_09},
     {"color-end", "Many mirrors, and where the end is", "ray_color", "*", .scene = judge_picture,
-     .range = {ENDS, N_ENDS}, .alone_scene = picture_alone_09},
+     .range = {ENDS, N_ENDS}, .alone_scene = picture_alone_09, .alone_cause = picture_cause_09},
     {"color-background", "The background over mirrors", "ray_color", "*", .scene = judge_picture,
-     .range = {BACKGROUNDS, N_BACKGROUNDS}, .alone_scene = picture_alone_09},
+     .range = {BACKGROUNDS, N_BACKGROUNDS}, .alone_scene = picture_alone_09,
+     .alone_cause = picture_cause_09},
     {"color-rays", "No ray that adds nothing", "ray_color", "*", .scene = judge_sent_09,
      .range = {0, N_SENT_SCENES}, .alone_scene = sent_alone_09},
 };

@@ -97,6 +97,7 @@ enum {
 typedef struct MirrorScene {
     JobScene3D base;
     i32 max_bounces;
+    u32 lot;  // of the stand-ins, where an answer is tried alone
 } MirrorScene;
 
 // Roll the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
@@ -153,6 +154,16 @@ int write_alone_09(const void *job, const char *task, FILE *file);
 // Beside the stand-ins: is lit_color right for every light, and does it leave those alone that are
 // behind the surface? Is the picture of scene K right?
 int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answers);
+
+// Do the stand-ins say that something is between a point and a light?
+//   way   from the one to the other
+int is_blocked_alone_09(Vec3 point, Vec3 way, u32 lot);
 int picture_alone_09(const void *job, int k, const Sections *answers);
+
+// What picture K should be there, and the known mistakes. As ExpectAlone has it.
+int picture_09_expect_alone(const void *job, int k, ExpectedPicture *expected);
+
+// See alone_cause of judge.h.
+Cause picture_cause_09(const void *job, const JudgeCheck *check, const Sections *answers);
 
 #endif

@@ -8,6 +8,7 @@
 // calls the stand-ins is told.
 #include "judge_09.h"
 
+#include "alone_picture.h"
 #include "job_sections.h"
 #include "random3d.h"
 
@@ -118,6 +119,11 @@ static ShadowRayAnswer ray_along_axis(Vec3 point, Vec3 way, uint lot)
                              .t_max = largest + (float)(lot / 64 % 64) / 16};
 }
 
+int is_blocked_alone_09(Vec3 point, Vec3 way, u32 lot)
+{
+    return is_blocked_by_lot(ray_along_axis(point, way, lot), lot);
+}
+
 static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
 {
     const LitJob *in = &job->alone_lits[i];
@@ -131,8 +137,7 @@ static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
                            light, 1, &right);
         const int is_before = vec3_dot(in->normal, way) > 0;
         n_before += is_before;
-        const ShadowRayAnswer ray = ray_along_axis(in->point, way, job->job.lot);
-        if (is_before && !is_blocked_by_lot(ray, job->job.lot)) {
+        if (is_before && !is_blocked_alone_09(in->point, way, job->job.lot)) {
             sum.value.x += share.value.x;
             sum.value.y += share.value.y;
             sum.value.z += share.value.z;
@@ -160,22 +165,21 @@ int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answ
 
 int picture_alone_09(const void *job, int k, const Sections *answers)
 {
-    const OracleMirrorRules rules = {
-        .stand_ins = 1, .turn = TURN_ALONG_NORMAL, .lot = ((const Job09 *)job)->job.lot};
-    const MirrorScene *scene = &((const Job09 *)job)->scenes[k];
-    const Scene3D *s = &scene->base.scene;
-    const ProbeImage own = probe_image_find(answers, k, s->width, s->height);
-    ExpectedPicture expected = {.tolerances =
-                                    calloc((size_t)s->width * (size_t)s->height, sizeof(float))};
-    int passes = own.pixels != NULL && expected.tolerances != NULL &&
-                 image_create(s->width, s->height, &expected.reference) == 0;
+    ExpectedPicture expected = {0};
+    int passes = picture_09_expect_alone(job, k, &expected) == 0;
     if (passes) {
-        oracle3d_draw_mirrors(s, &scene->base.camera, scene->max_bounces, &rules,
-                              &expected.reference, expected.tolerances);
-        passes = picture_is_right(own, &expected);
+        const Image *reference = &expected.reference;
+        const ProbeImage own = probe_image_find(answers, k, reference->width, reference->height);
+        passes = own.pixels != NULL && picture_is_right(own, &expected);
     }
     expected_picture_free(&expected);
     return passes;
+}
+
+Cause picture_cause_09(const void *job, const JudgeCheck *check, const Sections *answers)
+{
+    return alone_pictures_look(job, check->range.first, check->range.n, picture_09_expect_alone,
+                               answers);
 }
 
 static int write_pictures(const Job09 *job, FILE *file)

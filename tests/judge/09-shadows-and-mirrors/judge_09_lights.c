@@ -8,16 +8,32 @@
 
 #include <math.h>
 
+// The points and lights: alone they are those that stand-ins foresee.
+static const LitJob *lit_of(const Job09 *job, int i)
+{
+    return job->job.is_alone ? &job->alone_lits[i] : &job->lits[i];
+}
+
+static const Light *lights_of(const Job09 *job, const LitJob *lit)
+{
+    return (job->job.is_alone ? job->alone_lights : job->lit_lights) + lit->first_light;
+}
+
 #define GIVEN                                                                                      \
-    const LitJob *in = &((const Job09 *)job)->lits[i];                                             \
+    const LitJob *in = lit_of(job, i);                                                             \
     const LitAnswer *found = (const LitAnswer *)answers + i
 
 // ---- Right --------------------------------------------------------------------------------------
 
+static OracleNear arriving_alone(const Job09 *job, const LitJob *in);
+
 static OracleNear right_light(const Job09 *job, int i)
 {
     static const OracleMirrorRules right = {0};
-    const LitJob *in = &job->lits[i];
+    const LitJob *in = lit_of(job, i);
+    if (job->job.is_alone) {
+        return arriving_alone(job, in);
+    }
     Scene3D scene = job->scenes[LIT_SCENE].base.scene;
     scene.lights = (Light *)(job->lit_lights + in->first_light);
     scene.n_lights = in->n_lights;
@@ -29,9 +45,9 @@ static OracleNear right_light(const Job09 *job, int i)
 // of a scene whose rays are counted, one leaf: the leaves visited are the rays sent.
 static OracleSides light_sides(const Job09 *job, int i)
 {
-    const LitJob *in = &job->lits[i];
-    return oracle3d_sides(job->lit_lights + in->first_light, in->n_lights,
-                          oracle3d_exactly(in->point), oracle3d_exactly(in->normal));
+    const LitJob *in = lit_of(job, i);
+    return oracle3d_sides(lights_of(job, in), in->n_lights, oracle3d_exactly(in->point),
+                          oracle3d_exactly(in->normal));
 }
 
 static int is_light(int i, const LitAnswer *found, OracleNear expected)
@@ -62,7 +78,7 @@ RIGHT(is_right, is_light(i, found, right_light(job, i)) && sends_right(job, i, f
 static int is_any_asked_twice(const Job09 *job, const LitAnswer *answers)
 {
     int i = N_LIT_INPUTS;
-    while (i < 2 * N_LIT_INPUTS && answers[i].n_leaves <= (u32)job->lits[i].n_lights) {
+    while (i < 2 * N_LIT_INPUTS && answers[i].n_leaves <= (u32)lit_of(job, i)->n_lights) {
         i++;
     }
     return i < 2 * N_LIT_INPUTS;
@@ -97,8 +113,9 @@ typedef struct SeenLights {
     int is_unsure;  // rounding decides whether one of them arrives
 } SeenLights;
 
-static SeenLight see(const Scene3D *scene, const LitJob *lit, const Light *light, int *is_unsure)
+static SeenLight see(const Job09 *job, const LitJob *lit, const Light *light, int *is_unsure)
 {
+    const Scene3D *scene = &job->scenes[LIT_SCENE].base.scene;
     static const OracleRules3D right = {0};
     static const OracleMirrorRules to_light = {0}, endless = {.endless_light = 1};
     const OracleNear point = oracle3d_exactly(lit->point), normal = oracle3d_exactly(lit->normal);
@@ -110,7 +127,10 @@ static SeenLight see(const Scene3D *scene, const LitJob *lit, const Light *light
                       .by_position = vector_dot(normal.value, position)};
     seen.cosine = vector_dot(normal.value, way) / seen.distance;
     seen.is_before = seen.cosine > 0;
-    if (seen.is_before) {
+    if (job->job.is_alone) {
+        seen.is_free = seen.is_free_beyond =
+            !is_blocked_alone_09(lit->point, vec3_minus(light->position, lit->point), job->job.lot);
+    } else if (seen.is_before) {
         const OracleArrival arrival = oracle3d_arrival(scene, point, light, NULL, &to_light);
         seen.is_free = arrival == LIGHT_ARRIVES;
         seen.is_free_beyond =
@@ -125,8 +145,7 @@ static void see_all(const Job09 *job, const LitJob *lit, SeenLights *lights)
     lights->n = lit->n_lights;
     lights->is_unsure = 0;
     for (int i = 0; i <= lights->n; i++) {
-        lights->each[i] = see(&job->scenes[LIT_SCENE].base.scene, lit,
-                              &job->lit_lights[lit->first_light + i], &lights->is_unsure);
+        lights->each[i] = see(job, lit, lights_of(job, lit) + i, &lights->is_unsure);
     }
 }
 
@@ -275,6 +294,11 @@ SUMS(last_arriving, n_arriving(all, k + 1) == N_ARRIVING && ARRIVES,
 
 WEIGHT(right, ARRIVES)
 
+static OracleNear arriving_alone(const Job09 *job, const LitJob *in)
+{
+    return summed(job, in, right_weight);
+}
+
 static OracleNear with_color_twice(const LitJob *in, OracleNear sum)
 {
     const Vec3 c = in->material.color;
@@ -308,7 +332,7 @@ static const Known *const known[] = {
 static char *describe(const void *pointer, int i, const void *answers)
 {
     const Job09 *job = pointer;
-    const LitJob *in = &job->lits[i];
+    const LitJob *in = lit_of(job, i);
     const LitAnswer *found = (const LitAnswer *)answers + i;
     const OracleVector e = right_light(job, i).value;
     const u32 n_needed = light_sides(job, i).n_before;
@@ -327,7 +351,7 @@ static char *describe(const void *pointer, int i, const void *answers)
     return message_new("point %s, normal %s, %d light%s, the first at %s: found %s, expected %s",
                        words_vec3(in->point, 6).text, words_vec3(in->normal, 6).text, in->n_lights,
                        plural((unsigned)in->n_lights),
-                       words_vec3(job->lit_lights[in->first_light].position, 6).text,
+                       words_vec3(lights_of(job, in)->position, 6).text,
                        words_vec3(found->color, 5).text, words_xyz(e.x, e.y, e.z, 5).text);
 }
 

@@ -126,6 +126,48 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
     return mistakes[mistake].looks;
 }
 
+// ---- Alone --------------------------------------------------------------------------------------
+
+// By a mistake's rules, or the right ones, as ray_color sees the stand-ins: rays leave mirrors
+// along the normal.
+static void draw_alone(const MirrorScene *scene, OracleMirrorRules rules, Image *image,
+                       float *tolerances)
+{
+    rules.stand_ins = 1;
+    rules.lot = scene->lot;
+    rules.turn = rules.turn == TURN_RIGHT ? TURN_ALONG_NORMAL : rules.turn;
+    oracle3d_draw_mirrors(&scene->base.scene, &scene->base.camera, scene->max_bounces, &rules,
+                          image, tolerances);
+}
+
+// As DrawMistaken of picture.h has it.
+static Cause draw_mistaken_alone(const void *pointer, int mistake, Image *guess, float *tolerances)
+{
+    if (mistake >= COUNT(mistakes)) {
+        return (Cause){0};
+    }
+    draw_alone(pointer, mistakes[mistake].rules, guess, tolerances);
+    return mistakes[mistake].looks;
+}
+
+int picture_09_expect_alone(const void *job, int k, ExpectedPicture *expected)
+{
+    const OracleMirrorRules right = {0};
+    const MirrorScene *scene = &((const Job09 *)job)->scenes[k];
+    const Scene3D *s = &scene->base.scene;
+    const Vec3 background = s->background;
+    expected->tolerances = calloc((size_t)s->width * (size_t)s->height, sizeof(float));
+    memcpy(expected->background, (float[]){background.x, background.y, background.z, 1},
+           sizeof expected->background);
+    if (expected->tolerances == NULL ||
+        image_create(s->width, s->height, &expected->reference) != 0) {
+        return -1;
+    }
+    draw_alone(scene, right, &expected->reference, expected->tolerances);
+    expected_picture_recognise(expected, draw_mistaken_alone, scene);
+    return 0;
+}
+
 // ---- What is expected ---------------------------------------------------------------------------
 
 int picture_09_expect(MirrorScene *scene)

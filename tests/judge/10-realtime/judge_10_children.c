@@ -250,6 +250,9 @@ PARTS(near_widened, near_to(in, HIGH), FAR,
       "the near child's part ends beyond t_max: a part never grows on the way down")
 PARTS(far_widened, NEAR, far_from(in, LOW),
       "the far child's part begins before t_min: a part never grows on the way down")
+PARTS(both_uncut, near_to(in, HIGH), far_from(in, LOW),
+      "both parts are wider than the node's own, [t_min, t_max]: a part never grows on the way "
+      "down")
 PARTS(both_whole, near_to(in, T_MAX), far_from(in, T_MIN),
       "both children have the whole part: the near one's ends at the greatest t_split, the far "
       "one's begins at the least")
@@ -299,9 +302,10 @@ static const Known *const known[] = {
     &far_at_t_min,  &other_ends,       &near_for_any,    &far_for_any,     &epsilon,
     &never_is_near, &at_0_is_far,      &ends_crossed,    &point_is_near,   &point_is_far,
     &near_waits,    &near_keeps_t_max, &far_keeps_t_min, &near_cut_at_low, &near_widened,
-    &far_widened,   &both_whole,       &both_widened,    &far_ends,        &far_cut_too,
-    &parts_swapped, &far_from_high,    &far_from_end,    &both_always,     &always_whole,
-    &always_uncut,  &far_alone,        &near_alone,      &far_dropped,     &both_wait};
+    &far_widened,   &both_uncut,       &both_whole,      &both_widened,    &far_ends,
+    &far_cut_too,   &parts_swapped,    &far_from_high,   &far_from_end,    &both_always,
+    &always_whole,  &always_uncut,     &far_alone,       &near_alone,      &far_dropped,
+    &both_wait};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -310,7 +314,7 @@ static char *describe(const void *job, int i, const void *answers)
     GIVEN;
     const NextChildAnswer expected = CHILD;
     return message_new("children %u and %u, plane at %g, eye at %g, t_split [%.9g, %.9g], part "
-                       "[%g, %g]: found %s, expected %s",
+                       "[%g, %g]: your code goes on with %s, expected %s",
                        in->node.first, in->node.first + 1, in->node.split_pos, in->eye, LOW, HIGH,
                        T_MIN, T_MAX, next_child_words(&in->todo, found).text,
                        next_child_words(&in->todo, &expected).text);

@@ -116,8 +116,8 @@ static Words tile_words(const Job10 *job, int i)
 static char *describe_leaf(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return message_new("%s: found node %u, expected the leaf %u", tile_words(in, i).text,
-                       found.leaf, WAY.leaf);
+    return message_new("%s: your code ends in node %u, expected the leaf %u",
+                       tile_words(in, i).text, found.leaf, WAY.leaf);
 }
 
 const Function tile_leaf_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(TileLeafAnswer),

@@ -328,7 +328,7 @@ static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
     const NextWaitingAnswer expected = waiting(in);
-    return message_new("the farthest hit is at %.9g; %s waiting: found %s, expected %s",
+    return message_new("the farthest hit is at %.9g; %s waiting: your code %s, expected: it %s",
                        in->farthest, stack_words(in).text, next_waiting_words(found).text,
                        next_waiting_words(&expected).text);
 }

@@ -90,6 +90,9 @@ static double radius_of(Circle circle, const OracleRules *rules)
 static int covers(Circle circle, double x, double y, const OracleRules *rules)
 {
     const double radius = radius_of(circle, rules);
+    if (rules->squares) {
+        return fmax(fabs(x - circle.x), fabs(y - circle.y)) <= radius;
+    }
     const double sum = distance_squared(circle, x, y);
     return rules->strict_boundary ? sum < radius * radius : sum <= radius * radius;
 }
@@ -209,7 +212,8 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
             const Circle *found = NULL;
             double limit = INFINITY;
             for (u32 i = (u32)rules->skip_first; !is_end(i, n, found, rules); i++) {
-                const u32 id = id_of_entry(list, 1 + i, rules->id);
+                const u32 *ids = rules->first_ids ? tree->mapNode2Circles : list;
+                const u32 id = id_of_entry(ids, 1 + i, rules->id);
                 if (id >= (u32)n_circles) {
                     tolerances[(size_t)v * (size_t)image->width + (size_t)u] = INFINITY;
                     continue;

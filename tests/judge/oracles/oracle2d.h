@@ -41,8 +41,10 @@ typedef struct OracleRules {
     int all_limit;         // circles that cover nothing lower minDepth, too
     int last_limits;       // minDepth is the depth of the one before, whether that covers or not
     u32 most_asked;        // of the scene, or of a leaf's list, no more than this; 0: all
+    int squares;           // circles are squares, as beside the stand-in of lab 01
     OracleId id;           // through a tree only
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
+    int first_ids;         // or its own count, and the ids at the start
 } OracleRules;
 
 // Draw circles into an image of its size.

@@ -14,6 +14,7 @@ typedef struct MistakenPicture {
     Cause looks;  // nothing: behind the last mistake
     Image picture;
     float *tolerances;
+    int is_empty;  // nothing but background: it says nothing of a picture that is not empty
 } MistakenPicture;
 
 struct MistakenPictures {
@@ -38,6 +39,16 @@ void expected_picture_recognise(ExpectedPicture *expected, DrawMistaken *draw, c
     }
 }
 
+static int is_background(const Image *picture, const float *background)
+{
+    const size_t n_pixels = (size_t)picture->width * (size_t)picture->height;
+    size_t i = 0;
+    while (i < n_pixels && is_same_color(picture->pixels + i * IMAGE_CHANNELS, background, 0)) {
+        i++;
+    }
+    return i == n_pixels;
+}
+
 // Draw the next mistake and keep it. Returns 0, or -1 without memory.
 static int draw_next(const ExpectedPicture *expected)
 {
@@ -58,6 +69,7 @@ static int draw_next(const ExpectedPicture *expected)
         return -1;
     }
     next->looks = known->draw(expected->scene, known->n++, &next->picture, next->tolerances);
+    next->is_empty = is_background(&next->picture, expected->background);
     return 0;
 }
 
@@ -83,8 +95,9 @@ Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
             break;
         }
         const Tally tally = compare(own, expected, &known->pictures[i]);
-        is_exact = tally_recognises(&tally) && tally.n_agree == tally.n_compared;
-        if (is_exact || (looks.says == NULL && tally_recognises(&tally))) {
+        const int is_like = !known->pictures[i].is_empty && tally_recognises(&tally);
+        is_exact = is_like && tally.n_agree == tally.n_compared;
+        if (is_exact || (looks.says == NULL && is_like)) {
             looks = known->pictures[i].looks;
         }
     }
@@ -166,14 +179,21 @@ const char *picture_plain(ProbeImage own, const ExpectedPicture *expected)
                                                                       : NULL;
 }
 
-Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found)
+Cause picture_known(ProbeImage own, const ExpectedPicture *expected)
 {
     if (shows_beyond(own, expected)) {
-        const Cause one_more = {.says =
-                                    "drawn as if one circle too many were asked, the one behind "
-                                    "the end of the array"};
-        return diagnosis_seen(found, one_more, EVIDENCE_PICTURE);
+        return (Cause){.says = "drawn as if one circle too many were asked, the one behind the end "
+                               "of the array"};
     }
+    if (is_other_background(own, expected)) {
+        return (Cause){0};
+    }
+    const Cause looks = picture_distortion(own, expected);
+    return looks.says != NULL ? looks : picture_mistaken(own, expected);
+}
+
+Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found)
+{
     if (is_other_background(own, expected)) {
         const float *color = expected->background;
         const Words background =
@@ -181,10 +201,7 @@ Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *f
                   color[0], color[1], color[2], color[3]);
         return diagnosis_seen(found, (Cause){.says = background.text}, EVIDENCE_PICTURE);
     }
-    Cause looks = picture_distortion(own, expected);
-    if (looks.says == NULL) {
-        looks = picture_mistaken(own, expected);
-    }
+    const Cause looks = picture_known(own, expected);
     if (looks.says != NULL) {
         return diagnosis_seen(found, looks, EVIDENCE_PICTURE);
     }

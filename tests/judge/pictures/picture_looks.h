@@ -20,6 +20,9 @@ int picture_is_empty(ProbeImage own, const ExpectedPicture *expected);
 // pixel up". Takes `found` over; the diagnosis is owned by the caller.
 Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found);
 
+// The mistake alone: a sentence that is always the same, or nothing.
+Cause picture_known(ProbeImage own, const ExpectedPicture *expected);
+
 // The scene's own mistake that it looks like.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected);
 

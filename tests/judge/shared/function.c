@@ -140,3 +140,14 @@ Verdict function_judge(const Function *function, const void *job, Range range,
     job = (const char *)job + function->inputs;
     return verdict_of(judge_counting(function, job, range, found));
 }
+
+Cause function_cause(const Function *function, const void *job, Range range,
+                     const Sections *answers)
+{
+    Verdict verdict = function_judge(function, job, range, answers);
+    const int has_failed = verdict.kind == VERDICT_FAILED;
+    diagnosis_free(&verdict.diagnosis);
+    return has_failed ? explain(function, (const char *)job + function->inputs, range,
+                                function_answers(function, answers))
+                      : (Cause){0};
+}

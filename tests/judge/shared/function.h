@@ -59,4 +59,8 @@ const void *function_answers(const Function *function, const Sections *answers);
 Verdict function_judge(const Function *function, const void *job, Range range,
                        const Sections *answers);
 
+// The known mistake that explains the answers to a range, not all of which are right, if one does.
+Cause function_cause(const Function *function, const void *job, Range range,
+                     const Sections *answers);
+
 #endif

@@ -68,11 +68,12 @@ int job_scene_depths(JobScene *scene, Random *random)
         float depth;
         enum { DRAWN, CLEAR, BLACK, CLEAR_AND_BLACK } color;
     } rows[] = {
-        // Nearer by one float, farther by one, equal, nearer by less than any epsilon, much nearer.
-        {0, 0.5f, DRAWN},
-        {0, 0x1.fffffep-2f, DRAWN},
-        {1, 0.5f, DRAWN},
-        {1, 0x1.000002p-1f, DRAWN},
+        // None has a depth with which a minDepth may be thought to start. Nearer by one float,
+        // farther by one, equal, nearer by less than any epsilon, much nearer.
+        {0, 0.375f, DRAWN},
+        {0, 0x1.7ffffep-2f, DRAWN},
+        {1, 0.375f, DRAWN},
+        {1, 0x1.800002p-2f, DRAWN},
         {3, 0.0f, DRAWN},
         {3, -0.0f, DRAWN},
         {4, 0.0f, DRAWN},
@@ -161,7 +162,8 @@ int job_scene_pile(JobScene *scene, Random *random)
 
 // The picture as if of a list no more were asked than some number that one may take for the most
 // there are, or than 8 or 16 bits count. As DrawMistaken has it.
-static Cause draw_fewer(const JobScene *scene, int mistake, Image *guess, float *tolerances)
+static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Image *guess,
+                        float *tolerances)
 {
     static const u32 numbers[] = {64,   128,   256,   512,   1024,  2048,  4096, 8192,
                                   9999, 10000, 16384, 32767, 32768, 65535, 65536};
@@ -172,7 +174,8 @@ static Cause draw_fewer(const JobScene *scene, int mistake, Image *guess, float 
     if (mistake >= N_MASKS + N_NUMBERS || (!is_cut && numbers[mistake - N_MASKS] >= n_circles)) {
         return (Cause){0};
     }
-    const OracleRules rules = {.most_asked = is_cut ? n_circles & masks[mistake]
+    const OracleRules rules = {.squares = are_squares,
+                               .most_asked = is_cut ? n_circles & masks[mistake]
                                                     : numbers[mistake - N_MASKS]};
     if (scene->tree.n_nodes > 0) {
         oracle2d_draw_leaves(scene->scene.circles, scene->scene.n_circles, &scene->tree, &rules,
@@ -192,8 +195,9 @@ static Cause draw_fewer(const JobScene *scene, int mistake, Image *guess, float 
 #define UNCOVERING "drawn as if minDepth changed at circles that do not cover the pixel, too"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
-// The oracle's mistakes, as DrawMistaken has it.
-static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
+// The oracle's mistakes, of circles or of squares. As DrawMistaken has it.
+static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Image *guess,
+                         float *tolerances)
 {
     static const struct {
         Cause looks;
@@ -225,6 +229,9 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
           MISTAKE_SHIFTED_HALF},
          {.sample_offset = -0.5}},
         {{.says = "drawn with half the radius"}, {.diameter = 1}},
+        {{.says = TOO_FAR}, {.too_far = -1e-300}},  // 0 and beyond
+        {{.says = TOO_FAR}, {.too_far = 0.5}},
+        {{.says = TOO_FAR}, {.too_far = 1}},
         {{.says = TOO_FAR}, {.too_far = 1e6}},
         {{.says = TOO_FAR}, {.too_far = 1e33}},
         {{.says = TOO_FAR}, {.too_far = FLT_MAX}},
@@ -260,6 +267,9 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
          {.id = ID_PLACE_FROM_0}},
         {{.says = "drawn as if a position in the list were used as the circle's id"},
          {.id = ID_PLACE_FROM_1}},
+        {{.says = "drawn as if the ids were read from the start of mapNode2Circles: those of a "
+                  "leaf begin behind its count, at its circleMapOffset"},
+         {.first_ids = 1}},
         {{.says =
               "drawn as if every pixel read the list at the start of mapNode2Circles, where the "
               "circleMapOffset of an inner node points, too"},
@@ -271,7 +281,9 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
     const int n_leaf_mistakes = scene->tree.n_nodes > 0 ? N_LEAF_MISTAKES : 0;
     // Tolerances stay 0: these pictures are as exact as the right one.
     if (mistake < N_MISTAKES) {
-        oracle2d_draw(circles, scene->scene.n_circles, &mistakes[mistake].rules, guess, NULL);
+        OracleRules rules = mistakes[mistake].rules;
+        rules.squares = are_squares;
+        oracle2d_draw(circles, scene->scene.n_circles, &rules, guess, NULL);
         return mistakes[mistake].looks;
     }
     mistake -= N_MISTAKES;
@@ -280,7 +292,17 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
                              &leaf_mistakes[mistake].rules, guess, tolerances);
         return leaf_mistakes[mistake].looks;
     }
-    return draw_fewer(scene, mistake - n_leaf_mistakes, guess, tolerances);
+    return draw_fewer(scene, are_squares, mistake - n_leaf_mistakes, guess, tolerances);
+}
+
+static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    return draw_shapes(scene, 0, mistake, guess, tolerances);
+}
+
+Cause job_scene_draw_squares(const void *scene, int mistake, Image *guess, float *tolerances)
+{
+    return draw_shapes(scene, 1, mistake, guess, tolerances);
 }
 
 void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected)

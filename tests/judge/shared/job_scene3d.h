@@ -72,6 +72,10 @@ Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found);
 // `looks` says nothing.
 Diagnosis hits_judge_as(const JobScene3D *scene, const HitAnswer *found, Cause looks);
 
+// Number i of the known mistakes of hits, and the rules by which the oracle makes it. Nothing
+// behind the last.
+Cause hit_mistake(int i, OracleRules3D *rules);
+
 // How many rays of a scene are wrong.
 int hits_count_wrong(const JobScene3D *scene, const HitAnswer *found);
 

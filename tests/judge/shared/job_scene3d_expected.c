@@ -90,6 +90,8 @@ static int is_brute_force(const JobScene3D *scene)
     return scene->tree.n_nodes == 0;
 }
 
+#define TINY_RADIUS 1e-3f
+
 // As DrawMistaken of picture.h has it.
 static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float *tolerances)
 {
@@ -97,7 +99,15 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
     if (!is_brute_force(scene) || mistake >= (int)(sizeof mistakes / sizeof *mistakes)) {
         return (Cause){0};
     }
-    oracle3d_draw(&scene->scene, &scene->camera, &mistakes[mistake].rules, guess, tolerances, NULL);
+    // Vectors as long as tiny spheres leave nothing but black, as many a mistake does.
+    static const OracleRules3D right = {0};
+    const OracleRules3D *rules = &mistakes[mistake].rules;
+    const int is_tiny =
+        scene->scene.n_spheres > 0 && fabsf(scene->scene.spheres[0].radius) < TINY_RADIUS;
+    const int is_black =
+        is_tiny && (rules->normal_not_normalised || rules->to_light_not_normalised);
+    oracle3d_draw(&scene->scene, &scene->camera, is_black ? &right : rules, guess, tolerances,
+                  NULL);
     return mistakes[mistake].looks;
 }
 
@@ -153,6 +163,35 @@ static Words hit_words(u32 sphere, double t)
                                       : words("sphere %u at t = %.9g", sphere, t);
 }
 
+// The same of spheres that are found infinitely far away.
+static Cause explain_infinite(const JobScene3D *scene, const HitAnswer *found)
+{
+    int n_missed = 0, n_hit = 0, n_finite = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleHit *hit = &scene->hits[pixel];
+        const int is_infinite = found[pixel].sphere != ORACLE_NO_SPHERE && isinf(found[pixel].t);
+        n_missed += is_infinite && !hit->is_ambiguous && hit->sphere == ORACLE_NO_SPHERE;
+        n_hit += is_infinite && !hit->is_ambiguous && hit->sphere != ORACLE_NO_SPHERE;
+        n_finite += !isinf(found[pixel].t);
+    }
+    return (Cause){.says = n_missed > 0 && n_hit == 0
+                               ? "as if a miss, t = inf, were a hit: infinity is not nearer than "
+                                 "infinity"
+                           : n_hit > 0 && n_missed == 0 && n_finite == 0
+                               ? "as if hit.t were never set: it is INFINITY for every hit"
+                               : NULL};
+}
+
+Cause hit_mistake(int i, OracleRules3D *rules)
+{
+    const int number = FIRST_HIT_MISTAKE + i;
+    if (number >= FIRST_COLOR_MISTAKE) {
+        return (Cause){0};
+    }
+    *rules = mistakes[number].rules;
+    return mistakes[number].looks;
+}
+
 // What wrong hits look like: the mistake that explains all of them, if one does. Rays and
 // colours have no part in them.
 static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
@@ -174,13 +213,7 @@ static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
             return mistakes[i].looks;
         }
     }
-    for (int pixel = 0; pixel < s->width * s->height; pixel++) {
-        if (found[pixel].sphere != ORACLE_NO_SPHERE && isinf(found[pixel].t)) {
-            return (Cause){
-                .says = "as if a miss, t = inf, were a hit: infinity is not nearer than infinity"};
-        }
-    }
-    return (Cause){0};
+    return explain_infinite(scene, found);
 }
 
 const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers)

@@ -91,7 +91,8 @@ Words next_child_words(const StackState *before, const NextChildAnswer *answer)
 
 Words next_waiting_words(const NextWaitingAnswer *answer)
 {
-    return answer->goes_on ? words("on with node %u and [%.9g, %.9g], %u waiting", answer->at.node,
-                                   answer->at.t_min, answer->at.t_max, answer->todo.n)
-                           : words("the end");
+    return answer->goes_on
+               ? words("goes on with node %u and [%.9g, %.9g], %u waiting", answer->at.node,
+                       answer->at.t_min, answer->at.t_max, answer->todo.n)
+               : words("ends the search");
 }

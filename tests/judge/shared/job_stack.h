@@ -36,7 +36,7 @@ int same_waiting(const NextWaitingAnswer *found, NextWaitingAnswer expected);
 //   before   the stack that was handed in
 Words next_child_words(const StackState *before, const NextChildAnswer *answer);
 
-// "the end" or "on with node 9 and [3, 6], 2 waiting".
+// "ends the search" or "goes on with node 9 and [3, 6], 2 waiting".
 Words next_waiting_words(const NextWaitingAnswer *answer);
 
 #endif

@@ -25,6 +25,13 @@ ANSWERS(root_in_float, sqrtf(D2_IN_FLOAT) <= fabsf((float)RADIUS), IN_FLOAT)
 ANSWERS(radius_in_float, D2 <= (double)((float)RADIUS * (float)RADIUS),
         "your answers are those of a radius squared in float, which rounds it")
 
+// In 2D z is 0: to leave it out is right.
+#define WITHOUT(axis) (D2 - reach.outside[axis] * reach.outside[axis] <= RADIUS * RADIUS)
+#define ONE_AXIS_LESS "your answers are those of a distance without one of its axes"
+ANSWERS(without_x, WITHOUT(0), ONE_AXIS_LESS)
+ANSWERS(without_y, WITHOUT(1), ONE_AXIS_LESS)
+ANSWERS(without_z, WITHOUT(2), ONE_AXIS_LESS)
+
 // A point on a cell's border touches it, too.
 ONLY(radius_0, !found && RADIUS == 0,
      "a radius of 0 makes a point, and it overlaps the cells that it is in")
@@ -41,7 +48,8 @@ ONLY(epsilon,
 
 #define OVERLAP_KNOWN                                                                              \
     &by_sum, &radius_not_squared, &by_root, &distances_in_float, &squares_in_float,                \
-        &root_in_float, &radius_in_float, &radius_0, &negative_radius, &touching, &epsilon
+        &root_in_float, &radius_in_float, &without_x, &without_y, &without_z, &radius_0,           \
+        &negative_radius, &touching, &epsilon
 
 // Does the square around the circle, or the cube around the sphere, overlap the cell? What misses
 // by little may be decided by how its sides were rounded.

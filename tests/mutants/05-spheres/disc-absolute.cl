@@ -1,7 +1,7 @@
 // mutant: a miss is a hit: the absolute value of disc
 // task: nearest_root
 // caught by: root-nearer
-// says: expected inf
+// says: a negative disc is a miss
     const float half_chord = sqrt(fabs(disc));
     const float t_near = b - half_chord;
     const float t_far = b + half_chord;

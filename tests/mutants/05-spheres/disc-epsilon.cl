@@ -1,7 +1,7 @@
 // mutant: of a short chord nothing is seen
 // task: nearest_root
 // caught by: root-nearer
-// says: makes a miss
+// says: compare it with 0
     if (disc < 1e-6f) {
         return INFINITY;
     }

@@ -1,7 +1,7 @@
 // mutant: disc itself for its root
 // task: nearest_root
 // caught by: root-nearer
-// says: found
+// says: root was forgotten
     if (disc < 0.0f) {
         return INFINITY;
     }

@@ -1,7 +1,7 @@
 // mutant: the length of l for its square
 // task: intersect_sphere
 // caught by: sphere-near
-// says: found
+// says: is not squared
     const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
     const float b = dot(c, ray.direction);
     const float3 l = c - b * ray.direction;

@@ -1,7 +1,7 @@
 // mutant: b and b² - c where half of b belongs
 // task: intersect_textbook
 // caught by: textbook-outside
-// says: found
+// says: b is twice as large
     const float3 o = ray.origin - (float3)(sphere.x, sphere.y, sphere.z);
     const float half_b = dot(o, ray.direction);
     const float c = dot(o, o) - sphere.radius * sphere.radius;

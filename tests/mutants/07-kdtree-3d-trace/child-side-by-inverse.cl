@@ -1,7 +1,7 @@
 // mutant: the direction chooses the near child: near_side is not asked
 // task: next_child
 // caught by: child-one
-// says: found node
+// says: goes on with node
     const uint side = inverse < 0.0f;
     const uint near_child = node.first + side;
     const uint far_child = node.first + 1 - side;

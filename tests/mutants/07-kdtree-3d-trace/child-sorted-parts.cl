@@ -1,7 +1,7 @@
 // mutant: the parts of both children are swapped
 // task: next_child
 // caught by: child-both
-// says: found node
+// says: goes on with node
     const uint side = near_side(node, origin, inverse);
     const uint near_child = node.first + side;
     const uint far_child = node.first + 1 - side;

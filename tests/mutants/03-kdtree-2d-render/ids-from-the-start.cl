@@ -1,0 +1,14 @@
+// mutant: the count is read at the offset, the ids at the start
+// task: leaf_loop
+// caught by: leaf-edges
+// says: ids were read from the start
+    float minDepth = INFINITY;
+    const uint offset = nodes_Relations[id].circleMapOffset;
+    const uint n_circles = mapNode2Circles[offset];
+    for (uint i = 1; i <= n_circles; i++) {
+        const Circle circle = circles[mapNode2Circles[i]];
+        if (overlaps_N_Nearer(x, y, circle, minDepth, &work)) {
+            minDepth = circle.depth;
+            color = (float4)(circle.r, circle.g, circle.b, circle.a);
+        }
+    }
