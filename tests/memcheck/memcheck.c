@@ -51,7 +51,7 @@ static void end_print(const Memcheck *memcheck)
 {
     if (memcheck->n_told > 0) {
         printf("Oclgrind stops at the first: others may follow from it. Correct it, then try "
-               "again. Oclgrind errs now and then; no points depend on it.\n");
+               "again.\nOclgrind errs now and then; no points depend on it.\n");
     } else if (!memcheck->has_trouble) {
         printf("%s: Oclgrind found nothing on a small job.\n", memcheck->session.manifest.lab);
     }

@@ -181,8 +181,8 @@ static int folders_open(const Memcheck *memcheck, const Variant *variant)
     return 0;
 }
 
-// Tell a finding at once. If something went wrong in a given file before it, that comes first: it is
-// nearer to the mistake.
+// Tell a finding at once. If something went wrong in a given file before it, that comes first: it
+// is nearer to the mistake.
 static void tell(Memcheck *memcheck, const Finding *finding)
 {
     if (finding != memcheck->findings) {

@@ -20,8 +20,8 @@ typedef struct Memcheck {
 } Memcheck;
 
 // Run the submission, whose files are in the folder and whose host files are compiled, until
-// something is found in one of them: that is told on stdout at once, and the run is over. So is told
-// how a run ended that did not come to its end. Returns 0, or -1 after one message when the
+// something is found in one of them: that is told on stdout at once, and the run is over. If a run
+// does not come to its end, it is told how it ended. Returns 0, or -1 after one message when the
 // machinery failed.
 int memcheck_passes(Memcheck *memcheck);
 

@@ -174,11 +174,11 @@ static int step_is_repeated(Variant *variant, Step step, const SandboxResult *re
                            variant->purpose < VARIANT_CRASH;
     const int has_fault =
         step == STEP_RUNNING && !variant->is_second && run_end_has_compiler_fault(result);
-    if (has_fault && variant->purpose != VARIANT_SOLUTION) {
-        allowance_charge(allowance, result);
-    }
     if ((!is_starved && !has_fault) || allowance_left(allowance) <= 0) {
         return 0;
+    }
+    if (has_fault && variant->purpose != VARIANT_SOLUTION) {
+        allowance_charge(allowance, result);
     }
     variant->was_starved |= is_starved;
     variant->is_second |= has_fault;
