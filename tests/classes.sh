@@ -53,6 +53,7 @@ while [ "\$1" != --submission ]; do shift; done
 submission=\$2 output=\$4
 ${2:-}
 cp -R "$1/." "\$output"
+[ ! -e "\$output/whose" ] || cat "\$output/whose" >>"\$output/report.html"
 END
     chmod +x "$fake/tools/grade"
     build=$fake

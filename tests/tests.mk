@@ -13,7 +13,7 @@ $(OUT)/tools/mutants $(OUT)/tools/pairs $(OUT)/tools/mutate: $(OUT)/tools/%: $(O
 
 # ---- A class ---------------------------------------------------------------------------------
 
-CLASS_LIBRARIES = -lnettle -licui18n -licuuc
+CLASS_LIBRARIES = -larchive -lnettle -licui18n -licuuc
 $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*.c)))
 	$(archive)
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
@@ -28,6 +28,11 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUT
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
+
+.PHONY: feedback
+feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|mail|folders [OUTPUT=folder] [MOODLE=file.csv]
+	@$(say_which_lab)
+	@$(OUT)/tools/gradebook feedback $(if $(MOODLE),--moodle "$$MOODLE") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
 
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 

@@ -7,10 +7,12 @@
 
 #include "complain.h"
 #include "csv_cell.h"
+#include "feedback.h"
 #include "output_file.h"
 #include "sheet_number.h"
 #include "worksheet.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static void cell_write(FILE *file, const char *text)
@@ -96,6 +98,9 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, co
 
 // ---- Moodle's columns ------------------------------------------------------------------------
 
+// In English and in German. Somebody's own comment stays.
+static const char *const comment_titles[] = {"Feedback comments", "Feedback als Kommentar", NULL};
+
 static void participant_write(FILE *file, const Worksheet *worksheet,
                               const Participant *participant, const Gradebook *gradebook)
 {
@@ -103,11 +108,17 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
     for (int i = 0; i < worksheet->n_columns; i++) {
         char grade[32];
         const char *cell = participant->cells[i];
+        char *comment = NULL;
         if (i == worksheet->grade_column && row != NULL && row_is_entered(gradebook, row)) {
             worksheet_grade(worksheet, participant, gradebook->max_score, grade);
             cell = grade;
+        } else if (row != NULL && cell[0] == '\0' &&
+                   worksheet_has_title(worksheet, i, comment_titles)) {
+            comment = feedback_comment(gradebook, row);
+            cell = comment != NULL ? comment : cell;
         }
         csv_cell_copy(file, cell);
+        free(comment);
         fputc(',', file);
     }
     // Where an entry may be the participant's, nobody can say that there is none.

@@ -5,6 +5,7 @@
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER
 //     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] FOLDER
+//     gradebook feedback [--moodle WORKSHEET.csv] moodle|canvas|folders|mail FOLDER
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -13,10 +14,13 @@
 // `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the
 // class did. Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h);
 // 2 after one message. Read next: export_archive.h, roster.h, class_keys.h, gradebook.h;
-// grade_class.sh, which calls all five.
+// grade_class.sh, which calls the first five. `feedback` packs the reports for those
+// whose they are (feedback.h).
 #include "class_keys.h"
 #include "clean_text.h"
+#include "complain.h"
 #include "export_archive.h"
+#include "feedback.h"
 #include "gradebook.h"
 #include "look_alikes.h"
 #include "number.h"
@@ -40,7 +44,8 @@ static int usage(void)
         "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
         "       gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER\n"
         "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] "
-        "FOLDER\n",
+        "FOLDER\n"
+        "       gradebook feedback [--moodle WORKSHEET.csv] moodle|canvas|folders|mail FOLDER\n",
         stderr);
     return EXIT_FAULT;
 }
@@ -215,6 +220,26 @@ static int gradebook_write(const char *folder, const char *list, const char *aga
     return status;
 }
 
+static int give_back(const char *kind_name, const char *folder, const char *list)
+{
+    FeedbackKind kind;
+    Gradebook gradebook = {0};
+    Worksheet worksheet = {0};
+    int status = EXIT_FAULT;
+    if (feedback_kind_find(kind_name, &kind) != 0) {
+        complain("gradebook: found \"%s\", expected moodle, canvas, folders or mail", kind_name);
+        return EXIT_FAULT;
+    }
+    if (gradebook_load(folder, NULL, &gradebook) == 0 &&
+        (list == NULL || worksheet_load(list, &gradebook, &worksheet) == 0) &&
+        feedback_write(&gradebook, list != NULL ? &worksheet : NULL, kind) == 0) {
+        status = EXIT_ALL_GRADED;
+    }
+    worksheet_free(&worksheet);
+    gradebook_free(&gradebook);
+    return status;
+}
+
 typedef struct GradebookOptions {
     int only_latest;
     uint64_t seed;
@@ -261,6 +286,9 @@ int main(int argc, char **argv)
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
         const int is_zero = options.nothing != NULL && strcmp(options.nothing, "0") == 0;
         return gradebook_write(argv[1], options.worksheet, options.against, is_zero);
+    }
+    if (argc == 3 && strcmp(argv[0], "feedback") == 0) {
+        return give_back(argv[1], argv[2], options.worksheet);
     }
     return usage();
 }

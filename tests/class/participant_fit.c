@@ -167,6 +167,24 @@ static FullNames full_names(const Worksheet *worksheet, const Participant *parti
     return names;
 }
 
+void participant_name(const Worksheet *worksheet, const Participant *participant,
+                      char name[ENTRY_NAME_BYTES])
+{
+    const FullNames names = full_names(worksheet, participant);
+    snprintf(name, ENTRY_NAME_BYTES, "%s",
+             names.text[0][0] != '\0' ? names.text[0] : names.text[1]);
+}
+
+const char *participant_number(const Worksheet *worksheet, const Participant *participant)
+{
+    return cell_of(worksheet, participant, number_titles);
+}
+
+const char *participant_address(const Worksheet *worksheet, const Participant *participant)
+{
+    return cell_of(worksheet, participant, mail_titles);
+}
+
 int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name)
 {
     const char *group = cell_of(worksheet, participant, group_titles);

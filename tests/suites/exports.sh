@@ -71,6 +71,19 @@ all_own() {
     done <"$scratch/people"
 }
 
+# given_back FOR FILE PATTERN: does everybody get the own report back? It ends in the student's number,
+# which stands for NUMBER in the pattern of its path.
+given_back() {
+    "$build/tools/gradebook" feedback --moodle "$class.csv" "$1" "$class.out" >"$scratch/said" 2>&1 || { cat "$scratch/said"; return 1; }
+    rm -rf "$class.back"
+    case $2 in *.zip) unzip -q -d "$class.back" "$class.out/$2" ;; *) cp -R "$class.out/$2" "$class.back" ;; esac
+    while IFS=, read -r number _; do
+        path=$(echo "$3" | sed "s/NUMBER/$number/")
+        # shellcheck disable=SC2086 # a pattern
+        [ "$(cat "$class.back"/$path | tail -n 1)" = "$number" ] || { echo "$number has not its report"; return 1; }
+    done <"$scratch/people"
+}
+
 # ---- Moodle -------------------------------------------------------------------------------------
 
 moodle() {
@@ -85,12 +98,21 @@ moodle() {
     echo "$1" >"$class/${name}_$1_assignsubmission_file_/gradient.cl"
 }
 export_of moodle moodle
-list 'Identifier,"Full name",Grade' '"Participant NUMBER","FIRST LAST",'
+list 'Identifier,"Full name",Grade,"Feedback comments"' '"Participant NUMBER","FIRST LAST",,'
 mkdir "$class/Grace Hopper_40017_assignsubmission_onlinetext_" "$class/mailed"
 echo "by mail" >"$class/mailed/gradient.cl"
 echo "my text" >"$class/Grace Hopper_40017_assignsubmission_onlinetext_/onlinetext.html"
 graded 1 "12 of 14 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 1 earlier attempts; 1 to be decided by you"
 all_own
+check "moodle: everybody gets the own report back" \
+    given_back moodle feedback-moodle.zip '*_NUMBER_assignsubmission_file_/report.html'
+check "moodle: the zip holds nothing else" [ "$(find "$class.back" -type f | wc -l)" -eq 12 ]
+check "moodle: the points of each task are comments" \
+    [ "$(grep -c '"100 of 100 points: gradient 40/40, ' "$class.out/gradebook.csv")" -eq 12 ]
+check "without addresses nobody is written to" \
+    sh -c "'$build/tools/gradebook' feedback --moodle '$class.csv' mail '$class.out' | grep -q '^0 reports given back, 12 not'"
+check "an unknown way is refused" \
+    sh -c "'$build/tools/gradebook' feedback fax '$class.out' 2>&1 | grep -q 'found \"fax\", expected moodle'"
 
 moodle_flat() {
     for file in gradient.cl render.c; do echo "$1" >"$class/$2 $3_$1_assignsubmission_file_$file"; done
@@ -143,6 +165,8 @@ echo "7" >"$class/mailed.c"
 graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over; 0 with nothing of this lab; 0 to be decided by you"
 all_own
 check "canvas: a file that is nobody's is named" said '"mailed.c"'
+check "canvas: everybody gets the own report back, beside the number of a file" \
+    given_back canvas feedback-canvas.zip '*_NUMBER_880[01]*_report.html'
 
 heart_ends
 
