@@ -83,23 +83,44 @@ static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Mist
     return tally;
 }
 
+// Is every wrong pixel background? Many a mistake loses what should be drawn.
+static int is_lost(ProbeImage own, const ExpectedPicture *expected)
+{
+    int i = 0;
+    for (; i < expected_n_pixels(expected); i++) {
+        const PixelPair pixel = pixel_pair(own, expected, i);
+        if (!is_same_color(pixel.own, pixel.wanted, pixel.tolerance) &&
+            !is_same_color(pixel.own, expected->background, 0)) {
+            break;
+        }
+    }
+    return i == expected_n_pixels(expected);
+}
+
 // The scene's mistake that the picture looks like: the first that it is to the last pixel, or where
-// it is none, the first that it resembles. Two may resemble it where a picture is sparse.
+// it is none, the first that it resembles. Two may resemble it where a picture is sparse. What is
+// lost tells nothing where two mistakes lose the same.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     MistakenPictures *known = expected->mistaken;
     Cause looks = {0};
     int is_exact = 0;
-    for (int i = 0; known != NULL && !is_exact; i++) {
+    const int may_be_other = known != NULL && is_lost(own, expected);
+    for (int i = 0; known != NULL && (!is_exact || may_be_other); i++) {
         if ((i == known->n && draw_next(expected) != 0) || known->pictures[i].looks.says == NULL) {
             break;
         }
         const Tally tally = compare(own, expected, &known->pictures[i]);
         const int is_like = !known->pictures[i].is_empty && tally_recognises(&tally);
-        is_exact = is_like && tally.n_agree == tally.n_compared;
-        if (is_exact || (looks.says == NULL && is_like)) {
-            looks = known->pictures[i].looks;
+        const Cause *other = &known->pictures[i].looks;
+        const int is_other_exact = is_like && tally.n_agree == tally.n_compared;
+        if (is_exact && is_other_exact && strcmp(looks.says, other->says) != 0) {
+            return (Cause){0};
         }
+        if (!is_exact && (is_other_exact || (looks.says == NULL && is_like))) {
+            looks = *other;
+        }
+        is_exact |= is_other_exact;
     }
     return looks;
 }

@@ -193,6 +193,9 @@ static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Ima
     "drawn as if a colour of zeros said that there is no circle yet: a circle may be black, or "   \
     "transparent"
 #define UNCOVERING "drawn as if minDepth changed at circles that do not cover the pixel, too"
+#define FIRST_LIST                                                                                 \
+    "drawn as if every pixel read the list at the start of mapNode2Circles: a leaf's ids begin "   \
+    "behind its circleMapOffset, and that of an inner node points to the start"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
 // The oracle's mistakes, of circles or of squares. As DrawMistaken has it.
@@ -267,13 +270,8 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
          {.id = ID_PLACE_FROM_0}},
         {{.says = "drawn as if a position in the list were used as the circle's id"},
          {.id = ID_PLACE_FROM_1}},
-        {{.says = "drawn as if the ids were read from the start of mapNode2Circles: those of a "
-                  "leaf begin behind its count, at its circleMapOffset"},
-         {.first_ids = 1}},
-        {{.says =
-              "drawn as if every pixel read the list at the start of mapNode2Circles, where the "
-              "circleMapOffset of an inner node points, too"},
-         {.first_list = 1}},
+        {{.says = FIRST_LIST}, {.first_ids = 1}},
+        {{.says = FIRST_LIST}, {.first_list = 1}},
     };
     enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
     const JobScene *scene = pointer;

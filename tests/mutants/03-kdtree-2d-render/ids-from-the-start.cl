@@ -1,7 +1,7 @@
 // mutant: the count is read at the offset, the ids at the start
 // task: leaf_loop
-// caught by: leaf-edges
-// says: ids were read from the start
+// caught by: leaf-random
+// says: list at the start of mapNode2Circles
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];
