@@ -6,6 +6,13 @@
 // What the lower entries of a stack look like.
 constant TodoEntry lowest = {UNTOUCHED - 1, 1.0f, 2.0f};
 
+// A stack, and room behind its end: what is put there by mistake spoils nothing of other inputs,
+// which are tried behind this one.
+typedef struct RoomyTodo {
+    Todo todo;
+    uint room[16];
+} RoomyTodo;
+
 static void fill_stack(StackState state, Todo *todo)
 {
     todo->n = state.n;

@@ -19,17 +19,34 @@ static ProbeNote note_of(const char *name, uint32_t input)
     return note;
 }
 
+// A lab's job, and as it is written.
+typedef struct MadeJob {
+    Job *job;
+    Sections written;
+} MadeJob;
+
+static MadeJob job_make(const char *lab)
+{
+    MadeJob made = {0};
+    FILE *file = open_memstream((char **)&made.written.bytes, &made.written.n_bytes);
+    made.job = job_new(judge_of(lab), 3, file);
+    fclose(file);
+    cr_assert_not_null(made.job);
+    return made;
+}
+
+static void job_forget(MadeJob *made)
+{
+    sections_free(&made->written);
+    job_free(made->job);
+}
+
 // What the judge of a lab makes of a note's name and number.
 static JobPlace place_of(const char *lab, const char *name, uint32_t number)
 {
-    Sections job = {0};
-    FILE *file = open_memstream((char **)&job.bytes, &job.n_bytes);
-    Job *made = job_new(judge_of(lab), 3, file);
-    fclose(file);
-    cr_assert_not_null(made);
-    const JobPlace place = job_place(made, &job, name, number);
-    sections_free(&job);
-    job_free(made);
+    MadeJob made = job_make(lab);
+    const JobPlace place = job_place(made.job, &made.written, name, number);
+    job_forget(&made);
     return place;
 }
 
@@ -48,15 +65,17 @@ Test(run_place, names_the_function_its_task_and_the_input)
 Test(run_place, names_the_input_on_the_device)
 {
     for (int l = 0; judges[l] != NULL; l++) {
+        MadeJob made = job_make(judges[l]->lab);
         for (int i = 0; i < judges[l]->n_steps; i++) {
             const ProbeStep *step = &judges[l]->steps[i];
+            const JobPlace place = job_place(made.job, &made.written, step->name, 1);
             if (step->input_bytes > 0) {
-                const JobPlace place = place_of(judges[l]->lab, step->name, 1);
                 cr_expect_eq(strncmp(place.with, "input 2 of ", 11), 0, "%s: %s", step->name,
                              place.with);
                 cr_expect_not_null(strchr(place.with, ':'), "%s: %s", step->name, place.with);
             }
         }
+        job_forget(&made);
     }
 }
 
@@ -64,20 +83,21 @@ Test(run_place, names_the_input_on_the_device)
 Test(run_place, says_what_a_crash_with_an_empty_stack_comes_from)
 {
     int n_empty = 0;
+    MadeJob made = job_make("07"), tiles = job_make("10");
     for (uint32_t i = 0; i < 30; i++) {
-        const JobPlace place = place_of("07", "next_waiting", i);
+        JobPlace place = job_place(made.job, &made.written, "next_waiting", i);
         const int is_empty = strstr(place.with, "and 0 nodes are waiting") != NULL;
         cr_expect_eq(place.suspect != NULL, is_empty, "%s", place.with);
         n_empty += is_empty;
+        place = job_place(tiles.job, &tiles.written, "tile_waiting", i);
+        cr_expect(place.suspect != NULL || strstr(place.with, "nothing waiting") == NULL, "%s",
+                  place.with);
     }
     cr_expect_gt(n_empty, 0);
     cr_expect_lt(n_empty, 30);
-    cr_expect_null(place_of("07", "next_child", 0).suspect);
-    for (uint32_t i = 0; i < 30; i++) {
-        const JobPlace place = place_of("10", "tile_waiting", i);
-        const int is_empty = strstr(place.with, "nothing waiting") != NULL;
-        cr_expect(place.suspect != NULL || !is_empty, "%s", place.with);
-    }
+    cr_expect_null(job_place(made.job, &made.written, "next_child", 0).suspect);
+    job_forget(&made);
+    job_forget(&tiles);
 }
 
 Test(run_place, names_the_scene)

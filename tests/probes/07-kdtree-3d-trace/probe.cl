@@ -67,10 +67,11 @@ kernel void probe_next_child(global const NextChildJob *jobs, global NextChildAn
 {
     const size_t i = get_global_id(0);
     const NextChildJob job = jobs[i];
-    Todo todo;
-    fill_stack(job.todo, &todo);
-    answers[i].next = next_child(job.node, job.origin, job.inverse, job.t_min, job.t_max, &todo);
-    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
+    RoomyTodo roomy;
+    fill_stack(job.todo, &roomy.todo);
+    answers[i].next =
+        next_child(job.node, job.origin, job.inverse, job.t_min, job.t_max, &roomy.todo);
+    answers[i].todo = look_at_stack(job.todo.n_lower, &roomy.todo);
 }
 
 kernel void probe_next_waiting(global const NextWaitingJob *jobs, global NextWaitingAnswer *answers)
@@ -79,11 +80,11 @@ kernel void probe_next_waiting(global const NextWaitingJob *jobs, global NextWai
     const NextWaitingJob job = jobs[i];
     const Hit hit = {job.t, job.sphere};
     TodoEntry at = job.at;
-    Todo todo;
-    fill_stack(job.todo, &todo);
-    answers[i].goes_on = next_waiting(hit, &todo, &at);
+    RoomyTodo roomy;
+    fill_stack(job.todo, &roomy.todo);
+    answers[i].goes_on = next_waiting(hit, &roomy.todo, &at);
     answers[i].at = at;
-    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
+    answers[i].todo = look_at_stack(job.todo.n_lower, &roomy.todo);
 }
 
 // What each pixel's ray hits, with the camera of lab 04's solution.

@@ -23,10 +23,10 @@ kernel void probe_tile_children(global const TileChildJob *jobs, global NextChil
     const size_t i = get_global_id(0);
     const TileChildJob job = jobs[i];
     const Interval t_split = {job.split_low, job.split_high};
-    Todo todo;
-    fill_stack(job.todo, &todo);
-    answers[i].next = next_tile_child(job.node, job.eye, t_split, job.at, &todo);
-    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
+    RoomyTodo roomy;
+    fill_stack(job.todo, &roomy.todo);
+    answers[i].next = next_tile_child(job.node, job.eye, t_split, job.at, &roomy.todo);
+    answers[i].todo = look_at_stack(job.todo.n_lower, &roomy.todo);
 }
 
 kernel void probe_tile_waiting(global const TileWaitingJob *jobs, global NextWaitingAnswer *answers)
@@ -34,14 +34,14 @@ kernel void probe_tile_waiting(global const TileWaitingJob *jobs, global NextWai
     const size_t i = get_global_id(0);
     const TileWaitingJob job = jobs[i];
     TodoEntry at = job.at;
-    Todo todo;
-    fill_stack(job.todo, &todo);
+    RoomyTodo roomy;
+    fill_stack(job.todo, &roomy.todo);
     for (uint k = 0; k < job.n_behind; k++) {
-        todo_push(&todo, WAITS_NODE, WAITS_FROM, WAITS_TO);
+        todo_push(&roomy.todo, WAITS_NODE, WAITS_FROM, WAITS_TO);
     }
-    answers[i].goes_on = next_tile_waiting(job.farthest, &todo, &at);
+    answers[i].goes_on = next_tile_waiting(job.farthest, &roomy.todo, &at);
     answers[i].at = at;
-    answers[i].todo = look_at_stack(job.todo.n_lower, &todo);
+    answers[i].todo = look_at_stack(job.todo.n_lower, &roomy.todo);
 }
 
 kernel void probe_cones(global const ConeJob *jobs, global int *answers)
