@@ -75,6 +75,9 @@ static char *describe_end(Grading *grading)
         fprintf(text, "where: %s", place->where);
         fprintf(text, place->with[0] != '\0' ? ", %s\n" : "%s\n", place->with);
     }
+    if (whole->has_crashed && place->suspect[0] != '\0') {
+        fprintf(text, "%s\n", place->suspect);
+    }
     fprintf(text, "%s", line != NULL ? line : "");
     fprintf(text, whole->habits[0] != '\0' ? "%s\n" : "%s", whole->habits);
     fprintf(text, "%s", whole->run_output);
@@ -107,6 +110,17 @@ static void add_run_stages(Grading *grading)
     }
 }
 
+// Is a mistake named already, of what crashed or by a check?
+static int is_named(const Grading *grading)
+{
+    int is_named = grading->whole.place.suspect[0] != '\0';
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const CheckResult *check = &grading->result.checks[i];
+        is_named |= check->status == CHECK_FAILED && check->diagnosis.cause != NULL;
+    }
+    return is_named;
+}
+
 // Say what to try next. What ended for a reason that is reported already needs nothing to find one.
 static void add_advice(Grading *grading)
 {
@@ -114,7 +128,7 @@ static void add_advice(Grading *grading)
     const Manifest *manifest = &grading->session.manifest;
     const int has_oclgrind = access(OCLGRIND_DRIVER, R_OK) == 0;
     char *advice = NULL;
-    if (whole->has_crashed && !grading->has_line) {
+    if (whole->has_crashed && !grading->has_line && !is_named(grading)) {
         advice = advice_after_crash(manifest, whole->place.task, has_oclgrind);
     } else if (whole->trouble == NULL) {
         char folder[PATH_MAX];
@@ -238,13 +252,13 @@ static int grade(Grading *grading, const Settings *settings)
     if (grading_retry(grading) != 0) {
         return -1;
     }
+    session->allowance.is_looping = grading->whole.is_endless;
     add_run_stages(grading);
     if (grading_judge(grading) != 0) {
         return -1;
     }
     add_up_score(&grading->result);
     add_advice(grading);
-    run_race(grading);
     const Answers answers = {grading->whole.number, &grading->whole.answers};
     return judge_add_pictures(&session->judge, answers, &grading->result);
 }
@@ -319,10 +333,11 @@ int main(int argc, char **argv)
     int result = grade(&grading, &settings);
     grading.result.seconds = (stats_clock_ms() - start) / 1000;
     if (result == 0) {
-        result =
-            grading_write(&grading, settings.output,
-                          (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
-                                       .task = settings.task});
+        grading_tell(&grading,
+                     (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
+                                  .task = settings.task});
+        run_race(&grading);  // takes longer than the verdict, for which nobody waits
+        result = grading_write(&grading, settings.output);
     }
     const int full_marks = has_full_marks(&grading);
     grading_free(&grading);

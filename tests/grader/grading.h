@@ -52,8 +52,12 @@ int grading_try_alone(Grading *grading);
 // by the caller.
 char *grading_answer(const Grading *grading, const Task *task);
 
-// Write results.json, report.html and pictures into a folder, which is made, and the summary to
-// stdout, which tells of what `told` says. Returns 0, or -1 after one message.
-int grading_write(const Grading *grading, const char *output, ReportTold told);
+// Print the verdict, which tells of what `told` says.
+void grading_tell(const Grading *grading, ReportTold told);
+
+// Write results.json, report.html and pictures into a folder, which is made; print how a race ended
+// and where the report is. Returns 0, or -1 after one message, also where the verdict could not be
+// printed.
+int grading_write(const Grading *grading, const char *output);
 
 #endif

@@ -88,42 +88,80 @@ static void note_verdicts(Grading *grading, int t)
     }
 }
 
-// Try answers alone, two at a time.
+// Must the answer to a task be tried in these files? See try_in().
+static int is_due(const Grading *grading, int t, const char *own)
+{
+    return is_open(grading, t) && !grading->is_untouched[t] &&
+           (own != NULL || grading->alone[t].is_changed);
+}
+
+// Make the variant in which a task's answer is tried alone. Returns 1, 0 where there is no answer,
+// or -1 after one message.
+static int fill(Grading *grading, int t, const char *own)
+{
+    const Task *task = task_of(grading, t);
+    Variant *alone = &grading->alone[t];
+    char *answer = grading_answer(grading, task);
+    if (answer == NULL) {
+        return 0;
+    }
+    variant_free(alone);
+    const int filled = alone_fill(&grading->session, task->id, task, answer, own, alone);
+    free(answer);
+    return filled == 0 ? 1 : -1;
+}
+
+// The tasks in the order in which they are tried: first the one in which the whole ended. If it has
+// an endless loop, the others are tried beside it.
+static void order_tasks(const Grading *grading, int order[])
+{
+    const int n_tasks = grading->session.manifest.n_tasks;
+    int n = 0;
+    for (int is_other = 0; is_other < 2; is_other++) {
+        for (int t = 0; t < n_tasks; t++) {
+            const char *end = grading->end_task;
+            if (is_other == (end == NULL || strcmp(task_of(grading, t)->id, end) != 0)) {
+                order[n++] = t;
+            }
+        }
+    }
+}
+
+// Try answers alone.
 //   own   the folder of the student's files, or NULL: those that are handed out, where the
 //         student's may have been in the way
 // Returns 0, or -1 after one message.
 static int try_in(Grading *grading, const char *own)
 {
-    const int n_tasks = grading->session.manifest.n_tasks;
-    Variant *pair[2];
-    int tasks[2], n = 0;
-    for (int t = 0; t < n_tasks; t++) {
-        Variant *alone = &grading->alone[t];
-        const Task *task = task_of(grading, t);
-        int is_due =
-            is_open(grading, t) && !grading->is_untouched[t] && (own != NULL || alone->is_changed);
-        if (is_due && allowance_left(&grading->session.allowance) <= 0) {
+    Variant *variants[MANIFEST_MAX_TASKS];
+    int order[MANIFEST_MAX_TASKS], tasks[MANIFEST_MAX_TASKS], n = 0;
+    order_tasks(grading, order);
+    for (int i = 0; i < grading->session.manifest.n_tasks; i++) {
+        const int t = order[i];
+        if (!is_due(grading, t, own)) {
+            continue;
+        }
+        if (allowance_left(&grading->session.allowance) <= 0) {
             grading->has_no_time = 1;
-            is_due = 0;
+            break;
         }
-        char *answer = is_due ? grading_answer(grading, task) : NULL;
-        if (answer != NULL) {
-            variant_free(alone);
-            const int filled = alone_fill(&grading->session, task->id, task, answer, own, alone);
-            free(answer);
-            if (filled != 0) {
-                return -1;
-            }
+        const int filled = fill(grading, t, own);
+        if (filled < 0) {
+            return -1;
+        }
+        if (filled > 0) {
             tasks[n] = t;
-            pair[n++] = alone;
+            variants[n++] = &grading->alone[t];
         }
-        if (n == 2 || (n == 1 && t == n_tasks - 1)) {
-            if (session_run(&grading->session, pair, n) != 0) {
-                return -1;
-            }
-            while (n > 0) {
-                note_verdicts(grading, tasks[--n]);
-            }
+    }
+    if (n > 0 && session_run(&grading->session, variants, n) != 0) {
+        return -1;
+    }
+    for (int i = 0; i < n; i++) {
+        if (variants[i]->is_left_out) {
+            grading->has_no_time = 1;
+        } else {
+            note_verdicts(grading, tasks[i]);
         }
     }
     return 0;

@@ -66,7 +66,12 @@ static int write_picture(const Result *result, const char *output)
     return output_file_commit(&file);
 }
 
-int grading_write(const Grading *grading, const char *output, ReportTold told)
+void grading_tell(const Grading *grading, ReportTold told)
+{
+    report_text(stdout, &grading->session.manifest, &grading->result, told, isatty(STDOUT_FILENO));
+}
+
+int grading_write(const Grading *grading, const char *output)
 {
     char path[PATH_MAX];
     const Manifest *manifest = &grading->session.manifest;
@@ -84,9 +89,8 @@ int grading_write(const Grading *grading, const char *output, ReportTold told)
     path_make(path, "%s/report.html", output);
     if (report_html(path, manifest, &grading->result) != 0 ||
         write_picture(&grading->result, output) != 0 ||
-        report_text(stdout, manifest, &grading->result, told, isatty(STDOUT_FILENO)) != 0) {
+        report_text_end(stdout, manifest, &grading->result, path) != 0) {
         return -1;
     }
-    printf("Report: %s\n", path);
     return 0;
 }

@@ -75,9 +75,9 @@ find "$root" -name '*.md' -exec sed -i -e '/^\*\*In the lecture\*\*/,+1d' -e '/^
 grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/*.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
 git ls-files -- tests/scenes | copy
 
-# The grader; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever
+# The grader and the learner's desk; of the probes and stand-ins this lab's; and the lab's files as they are handed out, whatever
 # becomes of them in labs/.
-git ls-files -- tests/grader ":(glob)tests/probes/*.[ch]" tests/probes/no_macros.sh "tests/probes/*/jobs_*.h" \
+git ls-files -- tests/grader tests/desk ":(glob)tests/probes/*.[ch]" tests/probes/no_macros.sh "tests/probes/*/jobs_*.h" \
     "tests/probes/$lab" "tests/stand_ins/$lab" | sort -u | copy
 # Where there are kernels to look into, memcheck; its known faults stay here.
 if [ -n "$(find "labs/$lab" -name '*.cl')" ]; then
@@ -97,10 +97,10 @@ done
 cp tests/handout/judge.mk "$root/tests/judge/"
 
 # A submission may take a multiple of the time of our solution, which is not in here
-# (tests/grader/run/allowance.h). Rounded up to a power of four, it is mostly the same on every machine.
+# (tests/grader/run/allowance.h). Rounded up to 2, 8 or 32, it is mostly the same on every machine.
 seconds=$("$grade" --build "$(dirname "$1")" --lab "$lab" --seed 1 --time-solution) || fail "the solution of $lab cannot be timed"
 mkdir -p "$root/tests"
-echo "$seconds" | awk '{ for (most = 4; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"
+echo "$seconds" | awk '{ for (most = 2; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"
 
 # ---- Its README -------------------------------------------------------------------------------
 

@@ -81,12 +81,15 @@ typedef struct ProbeStep {
     const char *task;    // whose answer is all that runs there; NULL where several do
     size_t input_bytes;  // of one input; 0 for scenes
     // The words of one input, or of a step's number where it has no inputs. NULL on the device,
-    // where all inputs are tried together, and for scenes, which have titles.
+    // where the words are those in which a check tells a wrong answer to the input, and for scenes,
+    // which have titles.
     void (*describe)(const void *input, char *words, size_t n_bytes);
+    // What a crash with this input comes from, where the input itself tells; else NULL.
+    const char *(*suspect)(const void *input);
 } ProbeStep;
-#define ON_HOST(section, task, type, words) {section, "in " task, task, sizeof(type), words}
-#define ON_DEVICE(section, task, type) {section, "in " task, task, sizeof(type), NULL}
-#define ON_SCENES(answers, words, task) {answers, words, task, 0, NULL}
+#define ON_HOST(section, task, type, words) {section, "in " task, task, sizeof(type), words, NULL}
+#define ON_DEVICE(section, task, type) {section, "in " task, task, sizeof(type), NULL, NULL}
+#define ON_SCENES(answers, words, task) {answers, words, task, 0, NULL, NULL}
 
 typedef struct Judge {
     const char *lab;  // "01-naive-2d"
@@ -159,7 +162,8 @@ int job_passes_alone(const Job *job, int check, const Sections *answers);
 // Where the probe was when it noted a step of this name and a number: of an input, or of a scene.
 typedef struct JobPlace {
     const ProbeStep *step;  // NULL where the lab has none of this name
-    char with[160];         // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles"
+    const char *suspect;    // what a crash there comes from, or NULL
+    char with[240];         // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles"
 } JobPlace;
 // `written` is the job as job_new() has written it.
 JobPlace job_place(const Job *job, const Sections *written, const char *name, uint32_t number);

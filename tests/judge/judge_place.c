@@ -5,6 +5,7 @@
 #include "judge.h"
 
 #include <inttypes.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const ProbeStep *step_find(const Judge *judge, const char *name)
@@ -17,18 +18,53 @@ static const ProbeStep *step_find(const Judge *judge, const char *name)
     return NULL;
 }
 
+// The function that a check judges by the answers to a section's n inputs, or NULL.
+static const Function *function_find(const Judge *judge, const char *section, size_t n)
+{
+    for (int i = 0; i < judge->n_checks; i++) {
+        const Function *function = judge->checks[i].function;
+        if (function != NULL && strcmp(function->section, section) == 0 &&
+            (size_t)function->n == n) {
+            return function;
+        }
+    }
+    return NULL;
+}
+
+// The words for an input on the device: what a check says of a wrong answer to it begins with them,
+// and the answer follows. "" where no check has any.
+static void describe_by_check(const Job *job, const char *section, uint32_t number, size_t n,
+                              char *words, size_t n_room)
+{
+    const Function *function = function_find(job->judge, section, n);
+    void *answers = function != NULL ? calloc(n, function->answer_bytes) : NULL;
+    char *told = answers != NULL ? function->describe((const char *)job + function->inputs,
+                                                      (int)number, answers)
+                                 : NULL;
+    const char *answer = told != NULL ? strstr(told, ": found") : NULL;
+    snprintf(words, n_room, "%.*s", answer != NULL ? (int)(answer - told) : 0, answer ? told : "");
+    free(told);
+    free(answers);
+}
+
 // "input 17 of 400: box x [0, 4] y [0, 2]"
-static void describe_input(const ProbeStep *step, const Sections *written, uint32_t number,
-                           JobPlace *place)
+static void describe_input(const Job *job, const ProbeStep *step, const Sections *written,
+                           uint32_t number, JobPlace *place)
 {
     size_t n_bytes;
     const unsigned char *inputs = sections_find_any(written, step->name, &n_bytes);
     const size_t n = inputs != NULL ? n_bytes / step->input_bytes : 0;
-    if (step->describe != NULL && number < n) {
+    if (number < n) {
         char input[sizeof place->with - 40];
-        step->describe(inputs + number * step->input_bytes, input, sizeof input);
-        snprintf(place->with, sizeof place->with, "input %" PRIu32 " of %zu: %s", number + 1, n,
-                 input);
+        if (step->describe != NULL) {
+            step->describe(inputs + number * step->input_bytes, input, sizeof input);
+        } else {
+            describe_by_check(job, step->name, number, n, input, sizeof input);
+        }
+        snprintf(place->with, sizeof place->with, "input %" PRIu32 " of %zu%s%s", number + 1, n,
+                 input[0] != '\0' ? ": " : "", input);
+        place->suspect =
+            step->suspect != NULL ? step->suspect(inputs + number * step->input_bytes) : NULL;
     } else if (step->describe == NULL && n > 0) {
         snprintf(place->with, sizeof place->with, "with one of %zu inputs", n);
     }
@@ -54,7 +90,7 @@ JobPlace job_place(const Job *job, const Sections *written, const char *name, ui
         return place;
     }
     if (place.step->input_bytes > 0) {
-        describe_input(place.step, written, number, &place);
+        describe_input(job, place.step, written, number, &place);
     } else if (place.step->describe != NULL) {
         place.step->describe(&number, place.with, sizeof place.with);
     } else {

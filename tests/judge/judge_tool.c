@@ -11,7 +11,7 @@
 //     job - 0        what a probe shall try of a submission
 //     job TASK 0     what it shall try of one task's answer alone
 //     place NAME:I 0 where its probe was when it noted this step and number: sections "where",
-//                    "task" and "with", each where it is known
+//                    "task", "with" and "suspect", each where it is known
 //     answers - N    hold these N bytes: what a probe answered. An empty reply, as for adopt
 //     verdict I 0    check number I by the answers held: a section "passed", "missing" or "failed",
 //                    the last with a SentKinds; and of a failed one "found" and, where it is known,
@@ -101,7 +101,8 @@ static int reply_place(Desk *desk, const char *argument, FILE *reply)
     return place.step == NULL ? 0
                               : write_text(reply, "where", place.step->where) |
                                     write_text(reply, "task", place.step->task) |
-                                    write_text(reply, "with", place.with);
+                                    write_text(reply, "with", place.with) |
+                                    write_text(reply, "suspect", place.suspect);
 }
 
 // The number of a check, or -1.

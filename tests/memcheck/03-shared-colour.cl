@@ -3,5 +3,5 @@
 // task: leaf_loop
 // says: a race
     local float4 nearest;
-    nearest.x = (float)x;  // HERE
-    color = nearest;
+    nearest.x = (float)x;
+    color = nearest;  // HERE

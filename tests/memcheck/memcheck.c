@@ -46,77 +46,12 @@ static int shrink_job(const Session *session)
 
 // ---- Telling ----------------------------------------------------------------------------------
 
-// Is it one of the files a student hands in? Then *name is its name without a folder.
-static int is_own_file(const Memcheck *memcheck, const char *path, const char **name)
+// Print what is left to say of what was found.
+static void end_print(const Memcheck *memcheck)
 {
-    const char *slash = strrchr(path, '/');
-    *name = slash ? slash + 1 : path;
-    for (int i = 0; i < memcheck->session.manifest.n_files; i++) {
-        if (strcmp(memcheck->session.manifest.files[i], *name) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-// Print a line of one of the student's files, without its indentation.
-static void source_print(const Memcheck *memcheck, const char *name, int line)
-{
-    char path[PATH_MAX], text[512];
-    path_make(path, "%s/%s", memcheck->folder, name);
-    FILE *file = fopen(path, "r");
-    for (int at = 0; file != NULL && at < line && fgets(text, sizeof text, file) != NULL;) {
-        const size_t length = strlen(text);
-        at += length > 0 && text[length - 1] == '\n';
-        if (at == line) {
-            char *clean = line_clean(text + strspn(text, " \t"));
-            printf("        %s\n", clean);
-            free(clean);
-        }
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
-}
-
-static void finding_print(const Memcheck *memcheck, const Finding *finding)
-{
-    const char *name, *other;
-    if (is_own_file(memcheck, finding->file, &name)) {
-        printf("%s:%d: %s\n", name, finding->line, finding->says);
-        source_print(memcheck, name, finding->line);
-    } else {
-        char *clean = line_clean(name);
-        printf("%s, line %d, given, with what it got from yours: %s\n", clean, finding->line,
-               finding->says);
-        free(clean);
-    }
-    if (finding->other_file[0] != '\0' && is_own_file(memcheck, finding->other_file, &other)) {
-        printf("    the other one is at %s:%d\n", other, finding->other_line);
-    }
-    if (finding->work_item[0] != '\0') {
-        printf("    first in work-item %s\n", finding->work_item);
-    }
-}
-
-// Print what was found. What goes wrong in a given file mostly follows from what goes wrong in the
-// student's, so it is reported only where nothing else is.
-static void findings_print(const Memcheck *memcheck)
-{
-    const char *name;
-    int n_own = 0;
-    for (int i = 0; i < memcheck->n_findings; i++) {
-        n_own += is_own_file(memcheck, memcheck->findings[i].file, &name);
-    }
-    for (int i = 0; i < memcheck->n_findings; i++) {
-        if (n_own == 0 || is_own_file(memcheck, memcheck->findings[i].file, &name)) {
-            finding_print(memcheck, &memcheck->findings[i]);
-        }
-    }
-    if (memcheck->n_findings > 0) {
-        printf("Begin with the first: others may follow from it. Oclgrind errs now and then; no "
-               "points "
-               "depend on it.\n");
+    if (memcheck->n_told > 0) {
+        printf("Oclgrind stops at the first: others may follow from it. Correct it, then try "
+               "again. Oclgrind errs now and then; no points depend on it.\n");
     } else if (!memcheck->has_trouble) {
         printf("%s: Oclgrind found nothing on a small job.\n", memcheck->session.manifest.lab);
     }
@@ -185,8 +120,8 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
     if (memcheck_passes(memcheck) != 0) {
         return EXIT_FAULT;
     }
-    findings_print(memcheck);
-    return memcheck->n_findings > 0 || memcheck->has_trouble ? EXIT_FOUND : EXIT_CLEAN;
+    end_print(memcheck);
+    return memcheck->n_told > 0 || memcheck->has_trouble ? EXIT_FOUND : EXIT_CLEAN;
 }
 
 // Has the lab a kernel that a student writes?

@@ -3,24 +3,28 @@
 
 #include "complain.h"
 #include "folder.h"
+#include "memcheck_findings.h"
 #include "path.h"
+#include "progress.h"
 #include "run_end.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 // Its log ends after a thousand messages by itself.
 enum { MAX_LOG_BYTES = 8 << 20 };
 
-// Seconds that are enough for a pass over a solution on most machines, and where there is no
-// solution to ask, on all.
-enum { SHORT_SECONDS = 20, LONG_SECONDS = 100 };
+// Seconds of processor time of a pass: some times what the slowest solution needs.
+enum { PASS_SECONDS = 15 };
+
+// How often is looked whether something was found.
+static const struct timespec pause_between_looks = {.tv_nsec = 200 * 1000 * 1000};
 
 // Races and values never set are looked for apart: together Oclgrind is slower than both. Indices
 // out of range are found in either.
@@ -116,23 +120,46 @@ static char *log_load(const Memcheck *memcheck, const Pass *pass)
     return log;
 }
 
-// Add a pass's findings to the others.
-static void take_log(Memcheck *memcheck, const Pass *pass)
+// Read what the passes have found up to now.
+static void findings_read(Memcheck *memcheck)
 {
-    char *log = log_load(memcheck, pass);
-    if (log != NULL) {
-        memcheck->n_findings = oclgrind_log_read(log, memcheck->findings, memcheck->n_findings);
+    memcheck->n_findings = 0;
+    for (int i = 0; i < N_PASSES; i++) {
+        char *log = log_load(memcheck, &passes[i]);
+        if (log != NULL) {
+            memcheck->n_findings = oclgrind_log_read(log, memcheck->findings, memcheck->n_findings);
+        }
+        free(log);
     }
-    free(log);
+}
+
+// Where a pass was, as its probe noted it: its inputs are others than the judge's.
+static void print_place(Memcheck *memcheck, const Pass *pass)
+{
+    char folder[PATH_MAX];
+    out_path(memcheck, &memcheck->whole, pass, folder);
+    const ProbeNote note = run_note_load(folder);
+    RunPlace place = run_place_before(&note);
+    if (place.where[0] == '\0') {
+        place = judge_place(&memcheck->session.judge, &note);
+    }
+    printf(place.where[0] != '\0' ? "where: %s\n" : "", place.where);
 }
 
 // Say how a pass that did not come to its end ended. Once is enough: the other pass mostly ends in
 // the same way.
-static void print_trouble(Memcheck *memcheck, const SandboxResult *result, SandboxTime allowed)
+static void print_trouble(Memcheck *memcheck, const Pass *pass, const SandboxResult *result,
+                          SandboxTime allowed)
 {
     if (!memcheck->has_trouble) {
         char *end = run_end_describe(result, allowed);
-        printf("It did not run to its end under Oclgrind: %s\n%s", end, result->output);
+        printf("It did not run to its end under Oclgrind: %s\n", end);
+        print_place(memcheck, pass);
+        if (result->outcome == SANDBOX_TIMED_OUT) {
+            printf("\"make grade\" tells whether it is an endless loop. On a slow machine "
+                   "TIME_LIMIT=100 gives it more time.\n");
+        }
+        printf("%s", result->output);
         free(end);
     }
     memcheck->has_trouble = 1;
@@ -154,19 +181,59 @@ static int folders_open(const Memcheck *memcheck, const Variant *variant)
     return 0;
 }
 
-// Run a variant's passes side by side. Returns 0, or -1 after one message when the machinery
-// failed.
-static int passes_run(const Memcheck *memcheck, const Variant *variant, SandboxTime time,
-                      SandboxResult results[N_PASSES])
+// Tell a finding at once. If something went wrong in a given file before it, that comes first: it is
+// nearer to the mistake.
+static void tell(Memcheck *memcheck, const Finding *finding)
+{
+    if (finding != memcheck->findings) {
+        finding_print(memcheck, memcheck->findings);
+        memcheck->n_told++;
+    }
+    finding_print(memcheck, finding);
+    memcheck->n_told++;
+    fflush(stdout);
+}
+
+// Wait until the passes have ended, or something is found in one of the student's files: tell it
+// and end them. It may be half written at the first look, so it is told at the next.
+static void passes_watch(Memcheck *memcheck, SandboxRun *const runs[N_PASSES])
+{
+    for (int was_seen = 0, n_running = N_PASSES; n_running > 0;) {
+        n_running = 0;
+        for (int i = 0; i < N_PASSES; i++) {
+            n_running += !sandbox_has_ended(runs[i]);
+        }
+        findings_read(memcheck);
+        const Finding *first = finding_first_own(memcheck);
+        if (first != NULL && (was_seen || n_running == 0)) {
+            progress_hide();
+            tell(memcheck, first);
+            for (int i = 0; i < N_PASSES; i++) {
+                sandbox_allow(runs[i], (SandboxTime){0});
+            }
+            return;
+        }
+        was_seen = first != NULL;
+        progress_show();
+        nanosleep(&pause_between_looks, NULL);
+    }
+    progress_hide();
+}
+
+// Run the passes side by side. Returns 0, or -1 after one message when the machinery failed.
+static int passes_run(Memcheck *memcheck, SandboxTime time, SandboxResult results[N_PASSES])
 {
     SandboxRun *runs[N_PASSES];
     int failed = 0;
-    if (folders_open(memcheck, variant) != 0) {
+    if (folders_open(memcheck, &memcheck->whole) != 0) {
         return -1;
     }
     for (int i = 0; i < N_PASSES; i++) {
-        runs[i] = start_pass(memcheck, variant, &passes[i], time);
+        runs[i] = start_pass(memcheck, &memcheck->whole, &passes[i], time);
         failed |= runs[i] == NULL;
+    }
+    if (!failed) {
+        passes_watch(memcheck, runs);
     }
     for (int i = 0; i < N_PASSES; i++) {
         results[i] =
@@ -181,85 +248,28 @@ static int passes_run(const Memcheck *memcheck, const Variant *variant, SandboxT
     return failed ? -1 : 0;
 }
 
-static void results_free(SandboxResult results[N_PASSES])
-{
-    for (int i = 0; i < N_PASSES; i++) {
-        free(results[i].output);
-        results[i].output = NULL;
-    }
-}
-
-// What a pass may use where the short time was not enough: what our solution's slower pass does,
-// times a factor. Returns 0, or -1 after one message when the machinery failed.
-static int ask_solution(Memcheck *memcheck, SandboxTime *time)
-{
-    Session *session = &memcheck->session;
-    Variant *solution[] = {&session->solution};
-    SandboxResult results[N_PASSES] = {0};
-    Allowance allowance = {0};
-    if (session->workshop.needs_compiler && session_run(session, solution, 1) != 0) {
-        return -1;
-    }
-    const int failed = passes_run(memcheck, &session->solution, allowance_ours(), results);
-    for (int i = 0; i < N_PASSES; i++) {
-        const SandboxTime used = results[i].used;
-        if (!allowance.is_known[STEP_RUNNING] ||
-            used.processor > allowance.solution[STEP_RUNNING].processor) {
-            allowance_note(&allowance, STEP_RUNNING, used);
-        }
-    }
-    *time = allowance_of(&allowance, STEP_RUNNING, 1);
-    results_free(results);
-    return failed;
-}
-
-// Did one of the passes run out of processor time?
-static int has_timed_out(const SandboxResult results[N_PASSES])
-{
-    int has = 0;
-    for (int i = 0; i < N_PASSES; i++) {
-        has |= results[i].outcome == SANDBOX_TIMED_OUT;
-    }
-    return has;
-}
-
-// Tell at once what may take a while.
-static void say(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vprintf(format, arguments);
-    va_end(arguments);
-    fflush(stdout);
-}
-
 int memcheck_passes(Memcheck *memcheck)
 {
     const int given = memcheck->session.settings->time_limit;
-    const int can_ask = memcheck->session.has_solution && given == 0;
-    Allowance first = {.given_seconds = given > 0 ? given : can_ask ? SHORT_SECONDS : LONG_SECONDS};
-    SandboxTime time = allowance_of(&first, STEP_RUNNING, 1);
+    const Allowance allowance = {.given_seconds = given > 0 ? given : PASS_SECONDS};
+    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1);
     SandboxResult results[N_PASSES] = {0};
-    say("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
-        "%.0f s of processor time each at most.\n",
-        time.processor);
-    int failed = passes_run(memcheck, &memcheck->whole, time, results);
-    if (failed == 0 && can_ask && has_timed_out(results)) {
-        SandboxTime more = time;
-        say("That was not enough. How much does the solution take? This may last minutes.\n");
-        failed = ask_solution(memcheck, &more);
-        if (failed == 0 && more.processor > time.processor) {
-            time = more;
-            results_free(results);
-            failed = passes_run(memcheck, &memcheck->whole, time, results);
-        }
-    }
-    for (int i = 0; i < N_PASSES && failed == 0; i++) {
-        take_log(memcheck, &passes[i]);
+    printf("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
+           "%.0f s of processor time each at most.\n",
+           time.processor);
+    fflush(stdout);
+    progress_say("running the kernels under Oclgrind");
+    const int failed = passes_run(memcheck, time, results);
+    for (int i = 0; i < N_PASSES && failed == 0 && memcheck->n_told == 0; i++) {
         if (results[i].outcome != SANDBOX_EXITED || results[i].exit_status != 0) {
-            print_trouble(memcheck, &results[i], time);
+            print_trouble(memcheck, &passes[i], &results[i], time);
         }
     }
-    results_free(results);
+    if (failed == 0 && memcheck->n_told == 0 && memcheck->n_findings > 0) {
+        tell(memcheck, &memcheck->findings[0]);
+    }
+    for (int i = 0; i < N_PASSES; i++) {
+        free(results[i].output);
+    }
     return failed;
 }

@@ -16,11 +16,13 @@ typedef struct Memcheck {
     int has_trouble;        // it did not run to its end
     Finding findings[MAX_FINDINGS];
     int n_findings;
+    int n_told;  // of these
 } Memcheck;
 
-// Run the submission, whose files are in the folder and whose host files are compiled, and add up
-// what is found; a run that does not come to its end is reported on stdout. Returns 0, or -1
-// after one message when the machinery failed.
+// Run the submission, whose files are in the folder and whose host files are compiled, until
+// something is found in one of them: that is told on stdout at once, and the run is over. So is told
+// how a run ended that did not come to its end. Returns 0, or -1 after one message when the
+// machinery failed.
 int memcheck_passes(Memcheck *memcheck);
 
 #endif

@@ -23,19 +23,19 @@ static void fault(const char *what)
     exit(PROBE_EXIT_FAULT);
 }
 
-// A note in memory that is its file as well.
-static ProbeNote *note_open(void)
+// Memory that is a new file as well.
+static void *file_in_memory(const char *path, size_t n_bytes)
 {
-    const int file = open(PROBE_NOTE_PATH, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0 || ftruncate(file, sizeof(ProbeNote)) != 0) {
+    const int file = open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (file < 0 || ftruncate(file, (off_t)n_bytes) != 0) {
         fault("nowhere to write notes");
     }
-    ProbeNote *note = mmap(NULL, sizeof *note, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    void *memory = mmap(NULL, n_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     close(file);
-    if (note == MAP_FAILED) {
+    if (memory == MAP_FAILED) {
         fault("nowhere to write notes");
     }
-    return note;
+    return memory;
 }
 
 void probe_note(const Probe *probe, const char *name, uint32_t input)
@@ -58,7 +58,7 @@ void probe_open(Probe *probe)
     if (probe->answers == NULL) {
         fault("nowhere to write answers");
     }
-    probe->note = note_open();
+    probe->note = file_in_memory(PROBE_NOTE_PATH, sizeof *probe->note);
 }
 
 void probe_open_device(Probe *probe)
@@ -225,6 +225,34 @@ void probe_answer_buffer(const Probe *probe, const char *name, int k, cl_mem d_a
     free(answers);
 }
 
+// Is the device a processor, which works on a program's own memory?
+static int is_processor(const Probe *probe)
+{
+    cl_device_type type;
+    return clGetDeviceInfo(probe->cl.device, CL_DEVICE_TYPE, sizeof type, &type, NULL) ==
+               CL_SUCCESS &&
+           (type & CL_DEVICE_TYPE_CPU) != 0;
+}
+
+// Room for n answers, as probe_buffer(). On a processor it is memory that is a file as well, and
+// noted: if the program ends there, the file tells which input was the last.
+static cl_mem answers_create(const Probe *probe, size_t n, size_t answer_bytes, void **memory)
+{
+    const size_t n_bytes = n * answer_bytes;
+    *memory = NULL;
+    if (!is_processor(probe)) {
+        return probe_buffer(probe, n_bytes);
+    }
+    *memory = file_in_memory(PROBE_ANSWERING_PATH, n_bytes);
+    memset(*memory, 0xff, n_bytes);
+    cl_int error;
+    cl_mem d_answers = clCreateBuffer(probe->cl.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR,
+                                      n_bytes, *memory, &error);
+    CL_CHECK_CREATED(error, clCreateBuffer);
+    probe->note->n_together = (uint32_t)n;
+    return d_answers;
+}
+
 void probe_call(const Probe *probe, cl_program program, const char *name, size_t job_bytes,
                 size_t answer_bytes, const cl_mem *d_buffers, cl_uint n_buffers)
 {
@@ -239,14 +267,20 @@ void probe_call(const Probe *probe, cl_program program, const char *name, size_t
     const size_t n = n_bytes / job_bytes;
     cl_kernel kernel = probe_kernel(program, kernel_name);
     cl_mem d_jobs = cl_buffer_create(&probe->cl, jobs, n_bytes);
-    cl_mem d_answers = probe_buffer(probe, n * answer_bytes);
+    void *memory;
+    cl_mem d_answers = answers_create(probe, n, answer_bytes, &memory);
     CL_CHECK(clSetKernelArg(kernel, 0, sizeof d_jobs, &d_jobs));
     for (cl_uint i = 0; i < n_buffers; i++) {
         CL_CHECK(clSetKernelArg(kernel, 1 + i, sizeof d_buffers[i], &d_buffers[i]));
     }
     CL_CHECK(clSetKernelArg(kernel, 1 + n_buffers, sizeof d_answers, &d_answers));
-    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 1, NULL, &n, NULL, 0, NULL, NULL));
+    // In groups of one: a processor then takes them one after the other.
+    const size_t alone = 1;
+    CL_CHECK(clEnqueueNDRangeKernel(probe->cl.queue, kernel, 1, NULL, &n, &alone, 0, NULL, NULL));
     probe_answer_buffer(probe, name, -1, d_answers, n * answer_bytes);
+    if (memory != NULL) {
+        munmap(memory, n * answer_bytes);
+    }
     CL_CHECK(clReleaseMemObject(d_jobs));
     CL_CHECK(clReleaseKernel(kernel));
 }

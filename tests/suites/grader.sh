@@ -101,6 +101,16 @@ check "the first one's mistake is named" grep -q "left and right are swapped" "$
 check "and the second one's, found alone" grep -q "tested alone: random scene" "$said"
 check "with its cause" grep -q "red and blue swapped" "$said"
 
+# What ends the whole is told with the input it ended in, and what it comes from where that shows.
+copy_lab solutions 07-kdtree-3d-trace
+printf '    if (hit.t < at->t_max) {\n        return 0;\n    }\n    *at = todo_pop(todo);\n    return 1;\n' |
+    answer trace.cl next_waiting
+# shellcheck disable=SC2046,SC2086 # options
+check "a crash in one task costs its points" grades 1 86 $(kept 07) $submission
+check "its input is told" grep -q "where: in next_waiting, input [0-9]* of 400: .*and 0 nodes are waiting" "$said"
+check "and that nothing was there to be taken" grep -q "taken from an empty stack: nothing was waiting" "$said"
+ok "$(grep -c 'make memcheck' "$said")" "so memcheck need not tell" "$(cat "$said")"
+
 # ---- What make says ------------------------------------------------------------------------------
 
 # make_grade STATUS OPTION...: in the course's top folder, by what is built there.
@@ -127,6 +137,7 @@ two_wrong="LAB=02 SUBMISSION=$scratch/submission SEED=5"
 # shellcheck disable=SC2086 # options
 check "make grade tells of the first task that failed" make_grade_shows "^ Task is_leaf in " $two_wrong
 ok $(($(grep -c '^ Task ' "$said") != 1)) "and of no other" "$(cat "$said")"
+check "it says what to do next" grep -qx " Next: is_leaf in kdtree2d_build.c" "$said"
 check "but it names the next" grep -q "more tasks\{0,1\} fail.*; TASK=.* shows .*, ALL=1 everything" "$said"
 check "and has the compiler's warnings as a note" grep -q "unused variable" "$said"
 # shellcheck disable=SC2086 # options
@@ -222,6 +233,19 @@ check "no bubblewrap: it says no more" test "$(wc -l <"$said.err")$(wc -c <"$sai
 check "no bubblewrap: there are no results" test ! -e "$reports"
 
 heart_ends
+
+# An endless loop: what it is at is on the terminal, and gone before the report.
+copy_lab solutions 02-kdtree-2d-build
+echo '    for (volatile int i = 1; i > 0;) {} return 1;' | answer kdtree2d_build.c is_leaf
+script -qec "'$build/tools/grade' --build '$build' --output '$reports' --lab 02 $submission --seed 5 --first" /dev/null \
+    </dev/null >"$said" 2>&1
+check "an endless loop is told" grep -q "an endless loop?" "$said"
+check "with its input" grep -q "where: in is_leaf, input 1 of 660: level " "$said"
+check "the other tasks keep their points" test "$(field score)" = 85
+escape=$(printf '\033')
+check "meanwhile the terminal says what runs" grep -q "running your program, [0-9]* s" "$said"
+check "and what is tried alone" grep -q "checking is_leaf alone: task 1 of 5, [0-9]* s" "$said"
+check "before the report the line is taken away" grep -q "checking [a-z_ ]*: task [^$escape]*.$escape\[K[^c]*02-kdtree" "$said"
 
 # The other sandbox, where it can be had, and none at all: the same marks, and the reports say which.
 kinds=none

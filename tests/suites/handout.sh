@@ -63,7 +63,7 @@ only_its_files() {
         -e 'tests/judge/judge-x86_64' -e 'tests/judge/judge-aarch64' -e "tests/skeletons/$2/[^/]*")
     [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
-        -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
+        -e '^tests/desk/' -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
         -e '^tests/probes/[^/]*/jobs_[0-9]*\.h$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
         -e '^tests/scenes/' -e '^tests/solution-seconds$' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')

@@ -60,6 +60,20 @@ for fault in $(heart tests/memcheck/01-one-circle-too-many.cl tests/memcheck/*.c
     check "$(basename "$fault"): found at its line" finds "$fault"
 done
 
+# What is found is told at once, and ends it, though this kernel does not end by itself.
+# shellcheck disable=SC2317 # called by check
+stops() {
+    status=0
+    timeout 300 "$memcheck" --build "$build" --lab 03 --submission "$scratch/submission" --time-limit 3000 \
+        >"$scratch/said" 2>&1 || status=$?
+    cat "$scratch/said"
+    [ "$status" -eq 1 ]
+}
+check "a kernel that reads on and on is found" finds tests/memcheck/03-child-beyond.cl
+check "and stopped there, however long it might take" stops
+check "the task is named" grep -qx "    in the answer to getContainingChild" "$scratch/said"
+ok $(($(grep -c '^[A-Za-z_0-9.]*:[0-9]*: ' "$scratch/said") != 1)) "one finding is enough" "$(cat "$scratch/said")"
+
 # Whoever has written one task of three reads which ones are open.
 check "a skeleton may be looked at" memchecks 0 01 labs/01-naive-2d
 check "and what is not answered yet is named" \
@@ -80,6 +94,18 @@ check "for each file" grep -q "^overlaps_N_Nearer.cl: not in the submission" "$s
 
 heart_ends
 
+# A given function goes wrong by what it got: it is told, and before what follows in the student's file.
+rm -rf "$scratch/submission"
+cp -r solutions/07-kdtree-3d-trace "$scratch/submission"
+file=$scratch/submission/trace.cl
+printf '    if (hit.t < at->t_max) {\n        return 0;\n    }\n    *at = todo_pop(todo);\n    return 1;\n' >"$scratch/answer"
+"$build/tools/holes" fill "$file" next_waiting "$scratch/answer" >"$scratch/filled"
+cp "$scratch/filled" "$file"
+check "a node taken from an empty stack is found" memchecks 1 07 "$scratch/submission"
+check "where it is taken" grep -q '^todo.h, line [0-9]*, given, with what it got from yours: reads outside' \
+    "$scratch/said"
+check "before what follows from it" sh -c "grep -n '^trace.cl:' '$scratch/said' | grep -qv '^3:'"
+
 # A kernel that does not end is cut off, and a folder that is not there is a fault.
 rm -rf "$scratch/submission"
 cp -r solutions/03-kdtree-2d-render "$scratch/submission"
@@ -92,5 +118,6 @@ check "a kernel that does not end is cut off" \
 check "how long that may take is said first" \
     sh -c "sed -n 2p '$scratch/said' | grep -qx '2 s of processor time each at most.'"
 check "and said to be endless" grep -q "used up the 2.0 s of processor time" "$scratch/said"
+check "with the function it was in" grep -qx "where: in implicit2DRenderer_KD" "$scratch/said"
 check "a folder that is not there is a fault" memchecks 2 01 "$scratch/nowhere"
 finish

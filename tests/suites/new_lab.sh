@@ -9,17 +9,7 @@ if [ -n "${HEART:-}" ]; then
     exit
 fi
 
-# A copy with what is built, so that only the new lab is compiled.
-build=${BUILD:-build}
-course=$scratch/course
-mkdir -p "$course/build"
-for part in * .clang-format; do
-    case $part in build | "$build") ;; *) cp -pR "$part" "$course" ;; esac
-done
-for part in obj labs solutions probes tools; do cp -pR "$build/$part" "$course/build"; done
-cp -p "$build"/*.a "$build"/*.so "$course/build"
-cd "$course" || exit 1
-export BUILD=build
+. tests/course_copy.sh  # so that only the new lab is compiled
 
 # From lab 01's folders, files and names.
 for folder in solutions tests/judge tests/probes tests/mutants tests/right tests/stand_ins; do

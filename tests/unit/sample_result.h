@@ -10,6 +10,8 @@
 static const Manifest manifest = {
     .lab = "01-naive-2d",
     .title = "Naive 2D rendering",
+    .files = {(char *)"overlaps_N_Nearer.cl", (char *)"implicit2DRenderer.cl"},
+    .n_files = 2,
     .n_tasks = 2,
     .tasks = {{.id = "overlaps_N_Nearer",
                .file = "overlaps_N_Nearer.cl",

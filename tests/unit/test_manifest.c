@@ -125,6 +125,31 @@ Test(manifest, a_lab_may_have_a_leaderboard)
     }
 }
 
+#define DESK(fields)                                                                               \
+    "{\"title\": \"T\", " FILES ", \"tasks\": [" TASK_A ", " TASK_B "], " fields "}"
+#define MORE(hints)                                                                                \
+    "{\"id\": \"a\", \"file\": \"a.cl\", \"title\": \"A?\", \"points\": {\"a\": 100}, "            \
+    "\"hint\": \"h\", \"more_hints\": " hints "}"
+
+Test(manifest, a_lab_may_say_what_the_desk_shows)
+{
+    char folder[64];
+    Manifest manifest;
+    lab_write(DESK("\"hours\": 2, \"look\": \"--size 8x8\", \"figure\": \"a.png\""), folder);
+    cr_assert_eq(manifest_load(folder, "01-x", &manifest), 0);
+    lab_remove(folder);
+    cr_expect_eq(manifest.hours, 2);
+    cr_expect_str_eq(manifest.look, "--size 8x8");
+    cr_expect_str_eq(manifest.figure, "a.png");
+    cr_expect_null(manifest.tasks[0].more_hints[0]);
+    manifest_free(&manifest);
+    lab_write(MANIFEST(FILES, MORE("[\"where\", \"draw\", \"formula\"]")), folder);
+    cr_assert_eq(manifest_load(folder, "01-x", &manifest), 0);
+    lab_remove(folder);
+    cr_expect_str_eq(manifest.tasks[0].more_hints[2], "formula");
+    manifest_free(&manifest);
+}
+
 typedef struct BadManifest {
     const char *text;
     const char *message;  // part of the one line
@@ -188,6 +213,13 @@ static const BadManifest bad_manifests[] = {
      "tasks[0].hints.a-near: found an empty string, expected some text"},
     {MANIFEST(FILES, HINTS("{\"a-fra\": \"h\"}")),
      "tasks[0].hints: found the check \"a-fra\", expected one of \"points\""},
+    {MANIFEST(FILES, MORE("\"h\"")), "tasks[0].more_hints: found a string, expected a list"},
+    {MANIFEST(FILES, MORE("[\"h\"]")), "tasks[0].more_hints: found 1 entries, expected 3"},
+    {MANIFEST(FILES, MORE("[\"h\", 1, \"h\"]")),
+     "tasks[0].more_hints[1]: found a number, expected a string"},
+    {DESK("\"hours\": 41"), "hours: found 41, expected 1 to 40"},
+    {DESK("\"look\": 1"), "look: found a number, expected a string"},
+    {DESK("\"figure\": \"a.png\""), "figure: found one without \"look\", expected"},
     {BOARD(FILES, "true"), "leaderboard: found true, expected a string"},
     {BOARD(FILES, "\"\""), "leaderboard: found an empty string, expected some text"},
     {BOARD("\"files\": [\"a.cl\", \"b.cl\", \"c.c\"]", "\"x\""),

@@ -30,7 +30,7 @@ Test(report_text, is_laid_out_by_task)
         "  0/60\n"
         "   --    picture               0/60  A random scene\n"
         "\n"
-        " Score 25/100\n",
+        " Score 25/100\nReport: 03/report.html\n",
         "found:\n%s", text);
     free(text);
     result_free(&result);
@@ -39,7 +39,7 @@ Test(report_text, is_laid_out_by_task)
 static char *told_report(const Result *result, const char *task)
 {
     FILE *file = tmpfile();
-    cr_assert_eq(report_text(file, &manifest, result, (ReportTold){.task = task}, 0), 0);
+    report_text(file, &manifest, result, (ReportTold){.task = task}, 0);
     return stream_text(file);
 }
 
@@ -56,13 +56,42 @@ Test(report_text, tells_one_task_at_a_time)
     expect_part(text, "found 0, expected 1");
     expect_no_part(text, "found black");
     expect_part(text, "\n 1 more task fails; TASK=implicit2DRenderer shows it, ALL=1 everything\n"
+                      "\n Next: overlaps_N_Nearer in overlaps_N_Nearer.cl\n"
                       "\n Score 25/100\n");
     free(text);
     text = told_report(&result, "implicit2DRenderer");
     expect_part(text, "found black, expected red");
     expect_no_part(text, "found 0");
-    expect_no_part(text, "Next:");
+    expect_part(text, "\n Next: implicit2DRenderer in implicit2DRenderer.cl\n");
     expect_part(text, " 1 more task fails; TASK=overlaps_N_Nearer shows it");
+    free(text);
+    result_free(&result);
+}
+
+// Whatever came out, there is one thing to do next.
+Test(report_text, names_the_next_step)
+{
+    Result result = result_make("found 0, expected 1");
+    result.stages[0] = (StageResult){"Compiling", CHECK_FAILED, NULL};
+    char *text = told_report(&result, NULL);
+    expect_part(text, "\n Next: correct what \"Compiling\" says above, then grade again\n\n Score");
+    free(text);
+    result.stages[0] = (StageResult){"Running", CHECK_FAILED, NULL};
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: overlaps_N_Nearer in overlaps_N_Nearer.cl\n");
+    free(text);
+    check_pass(&result.checks[1]);
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: implicit2DRenderer in implicit2DRenderer.cl\n");
+    free(text);
+    check_pass(&result.checks[2]);
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: correct what \"Running\" says above, then grade again\n");
+    free(text);
+    result.stages[0] = (StageResult){"Running", CHECK_PASSED, NULL};
+    text = told_report(&result, NULL);
+    expect_part(text, "\n Next: nothing is missing; hand in overlaps_N_Nearer.cl and "
+                      "implicit2DRenderer.cl\n");
     free(text);
     result_free(&result);
 }
@@ -73,7 +102,8 @@ Test(report_text, ends_with_the_figure_of_a_race_where_there_is_one)
     char *text = text_report(&result, 0);
     expect_part(text, "\n Score 100/100\n"
                       " 12.3 times as fast as lab 00's <kernel> on this device, in this run; "
-                      "gives and costs no points\n");
+                      "gives and costs no points\n"
+                      "Report: 03/report.html\n");
     free(text);
     result.leaderboard = 0;
     text = text_report(&result, 0);
@@ -106,7 +136,7 @@ Test(report_text, puts_a_title_below_that_does_not_fit)
     Manifest long_titles = manifest;
     long_titles.tasks[0].title = "Does a circle cover the pixel, and is it nearer?";
     FILE *file = tmpfile();
-    cr_assert_eq(report_text(file, &long_titles, &result, (ReportTold){.is_all = 1}, 0), 0);
+    report_text(file, &long_titles, &result, (ReportTold){.is_all = 1}, 0);
     char *text = stream_text(file);
     expect_part(text, "\n Task overlaps_N_Nearer in overlaps_N_Nearer.cl:\n"
                       "   Does a circle cover the pixel, and is it nearer?       ");

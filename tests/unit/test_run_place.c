@@ -5,6 +5,7 @@
 #include "run_place.h"
 #include "surroundings.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -41,6 +42,42 @@ Test(run_place, names_the_function_its_task_and_the_input)
     place = place_of("06", "todo", 9);
     cr_assert_str_eq(place.step->where, "in fits_todo");
     cr_expect_str_eq(place.with, "level 9");
+}
+
+// On the device, too: by the words of a check's message.
+Test(run_place, names_the_input_on_the_device)
+{
+    for (int l = 0; judges[l] != NULL; l++) {
+        for (int i = 0; i < judges[l]->n_steps; i++) {
+            const ProbeStep *step = &judges[l]->steps[i];
+            if (step->input_bytes > 0) {
+                const JobPlace place = place_of(judges[l]->lab, step->name, 1);
+                cr_expect_eq(strncmp(place.with, "input 2 of ", 11), 0, "%s: %s", step->name,
+                             place.with);
+                cr_expect_not_null(strchr(place.with, ':'), "%s: %s", step->name, place.with);
+            }
+        }
+    }
+}
+
+// Of a stack on which nothing waits, nothing can be taken.
+Test(run_place, says_what_a_crash_with_an_empty_stack_comes_from)
+{
+    int n_empty = 0;
+    for (uint32_t i = 0; i < 30; i++) {
+        const JobPlace place = place_of("07", "next_waiting", i);
+        const int is_empty = strstr(place.with, "and 0 nodes are waiting") != NULL;
+        cr_expect_eq(place.suspect != NULL, is_empty, "%s", place.with);
+        n_empty += is_empty;
+    }
+    cr_expect_gt(n_empty, 0);
+    cr_expect_lt(n_empty, 30);
+    cr_expect_null(place_of("07", "next_child", 0).suspect);
+    for (uint32_t i = 0; i < 30; i++) {
+        const JobPlace place = place_of("10", "tile_waiting", i);
+        const int is_empty = strstr(place.with, "nothing waiting") != NULL;
+        cr_expect(place.suspect != NULL || !is_empty, "%s", place.with);
+    }
 }
 
 Test(run_place, names_the_scene)
@@ -138,25 +175,59 @@ Test(run_place, takes_no_number_that_the_job_has_not)
 
 // ---- The file -----------------------------------------------------------------------------------
 
-static void note_save(const char *path, size_t n_bytes)
+// What a probe leaves in a folder of this name.
+static void note_save(const char *folder, ProbeNote note, size_t n_bytes)
 {
-    const ProbeNote note[2] = {note_of("splits", 4), note_of("splits", 5)};
-    FILE *file = fopen(path, "wb");
-    fwrite(note, 1, n_bytes, file);
-    fclose(file);
+    const ProbeNote notes[2] = {note, note_of("splits", 5)};
+    char path[64];
+    cr_assert(mkdir(folder, 0700) == 0 || errno == EEXIST);
+    snprintf(path, sizeof path, "%s/note", folder);
+    file_write(path, (const char *)notes, n_bytes);
 }
 
 Test(run_place, a_note_is_a_regular_file_of_its_size, .init = folder_enter, .fini = folder_leave)
 {
-    note_save("note", sizeof(ProbeNote));
-    cr_expect_str_eq(run_note_load("note").name, "splits");
-    cr_expect_eq(run_note_load("note").input, 4);
-    note_save("short", sizeof(ProbeNote) - 1);
-    note_save("long", sizeof(ProbeNote) + 1);
-    cr_assert_eq(symlink("note", "link") | mkfifo("fifo", 0600) | mkdir("folder", 0700), 0);
-    static const char *const others[] = {"short", "long", "link", "fifo", "folder", "none"};
+    const ProbeNote note = note_of("splits", 4);
+    note_save("out", note, sizeof note);
+    cr_expect_str_eq(run_note_load("out").name, "splits");
+    cr_expect_eq(run_note_load("out").input, 4);
+    note_save("short", note, sizeof note - 1);
+    note_save("long", note, sizeof note + 1);
+    cr_assert_eq(mkdir("linked", 0700) | symlink("../out/note", "linked/note"), 0);
+    cr_assert_eq(mkdir("piped", 0700) | mkfifo("piped/note", 0600), 0);
+    cr_assert_eq(mkdir("deep", 0700) | mkdir("deep/note", 0700), 0);
+    static const char *const others[] = {"short", "long", "linked", "piped", "deep", "none"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-        const ProbeNote note = run_note_load(others[i]);
-        cr_expect_not(run_note_is_name(&note), "%s", others[i]);
+        const ProbeNote other = run_note_load(others[i]);
+        cr_expect_not(run_note_is_name(&other), "%s", others[i]);
     }
+}
+
+// Of 5 answers of 4 bytes, the first n of which are there.
+static uint32_t input_after(int n, uint32_t n_together)
+{
+    ProbeNote note = note_of("splits", PROBE_NO_INPUT);
+    uint32_t answers[5];
+    memset(answers, 0xff, sizeof answers);
+    for (int i = 0; i < n; i++) {
+        answers[i] = i == 1 ? UINT32_MAX : 0xffffff00;
+    }
+    note.n_together = n_together;
+    note_save("out", note, sizeof note);
+    file_write("out/answering", (const char *)answers, sizeof answers);
+    return run_note_load("out").input;
+}
+
+Test(run_place, of_inputs_tried_together_it_is_the_one_behind_the_last_answer, .init = folder_enter,
+     .fini = folder_leave)
+{
+    cr_expect_eq(input_after(0, 5), 0);
+    cr_expect_eq(input_after(1, 5), 1);
+    cr_expect_eq(input_after(3, 5), 3, "though the second answer has every bit set");
+    cr_expect_eq(input_after(5, 5), PROBE_NO_INPUT, "all are answered");
+    cr_expect_eq(input_after(3, 0), PROBE_NO_INPUT, "they are not tried together");
+    cr_expect_eq(input_after(3, 3), PROBE_NO_INPUT, "that is no whole number of bytes");
+    cr_expect_eq(input_after(3, UINT32_MAX), PROBE_NO_INPUT);
+    cr_assert_eq(remove("out/answering"), 0);
+    cr_expect_eq(run_note_load("out").input, PROBE_NO_INPUT);
 }

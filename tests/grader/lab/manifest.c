@@ -165,16 +165,15 @@ static int id_is_plain(const char *id)
     return id[strspn(id, allowed)] == '\0';
 }
 
-static int number_field_read(const Place *object, const char *field, int *number)
+static int number_field_read(const Place *object, const char *field, int highest, int *number)
 {
     Place place = place_field(object, field);
     if (!json_is_integer(place.json)) {
         return fault_kind(&place, "a whole number");
     }
     json_int_t found = json_integer_value(place.json);
-    if (found < 1 || found > POINTS_OF_A_LAB) {
-        return fault(&place, "found %" JSON_INTEGER_FORMAT ", expected 1 to %d", found,
-                     POINTS_OF_A_LAB);
+    if (found < 1 || found > highest) {
+        return fault(&place, "found %" JSON_INTEGER_FORMAT ", expected 1 to %d", found, highest);
     }
     *number = (int)found;
     return 0;
@@ -201,7 +200,7 @@ static int points_read(const Place *object, Task *task)
         if (check->id == NULL) {
             return fault(&points, "out of memory");
         }
-        if (number_field_read(&points, id, &check->points) != 0) {
+        if (number_field_read(&points, id, POINTS_OF_A_LAB, &check->points) != 0) {
             return -1;
         }
     }
@@ -243,10 +242,34 @@ static int hints_read(const Place *object, Task *task)
     return 0;
 }
 
+// Read the optional hints for who asks for more.
+static int more_hints_read(const Place *object, Task *task)
+{
+    Place list = place_field(object, "more_hints");
+    int n_hints;
+    if (list.json == NULL) {
+        return 0;
+    }
+    if (list_length_read(&list, MANIFEST_MORE_HINTS, &n_hints) != 0) {
+        return -1;
+    }
+    if (n_hints != MANIFEST_MORE_HINTS) {
+        return fault(&list, "found %d entries, expected %d", n_hints, MANIFEST_MORE_HINTS);
+    }
+    for (int i = 0; i < n_hints; i++) {
+        Place place = place_item(&list, i);
+        if (text_read(&place, &task->more_hints[i]) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
 // Read the next task. It is counted in `manifest` from the start, so that manifest_free() sees it.
 static int task_read(const Place *place, Manifest *manifest)
 {
-    static const char *const known[] = {"id", "file", "title", "points", "hint", "hints", NULL};
+    static const char *const known[] = {"id",   "file",  "title",      "points",
+                                        "hint", "hints", "more_hints", NULL};
     Task read = {0};
     Task *task = &manifest->tasks[manifest->n_tasks];
     *task = read;
@@ -264,7 +287,8 @@ static int task_read(const Place *place, Manifest *manifest)
     }
     if (text_field_read(place, "file", &task->file) != 0 ||
         text_field_read(place, "title", &task->title) != 0 || points_read(place, task) != 0 ||
-        text_field_read(place, "hint", &task->hint) != 0 || hints_read(place, task) != 0) {
+        text_field_read(place, "hint", &task->hint) != 0 || hints_read(place, task) != 0 ||
+        more_hints_read(place, task) != 0) {
         return -1;
     }
     if (!file_is_listed(manifest, task->file)) {
@@ -310,15 +334,38 @@ static int leaderboard_read(const Place *object, Manifest *manifest)
     return text_read(&place, &manifest->leaderboard);
 }
 
+// Read what the learner's desk wants to know; each field may be missing.
+static int desk_fields_read(const Place *object, Manifest *manifest)
+{
+    enum { MOST_HOURS = 40 };
+    const Place figure = place_field(object, "figure");
+    if (json_object_get(object->json, "hours") != NULL &&
+        number_field_read(object, "hours", MOST_HOURS, &manifest->hours) != 0) {
+        return -1;
+    }
+    if (json_object_get(object->json, "look") != NULL &&
+        text_field_read(object, "look", &manifest->look) != 0) {
+        return -1;
+    }
+    if (figure.json == NULL) {
+        return 0;
+    }
+    if (manifest->look == NULL) {
+        return fault(&figure, "found one without \"look\", expected the options that draw it");
+    }
+    return text_read(&figure, &manifest->figure);
+}
+
 static int fields_read(const Place *object, Manifest *manifest)
 {
-    static const char *const known[] = {"title", "files", "tasks", "leaderboard", NULL};
+    static const char *const known[] = {"title", "files", "tasks",  "leaderboard",
+                                        "hours", "look",  "figure", NULL};
     if (fields_check(object, known) != 0 ||
         text_field_read(object, "title", &manifest->title) != 0 ||
         files_read(object, manifest) != 0 || tasks_read(object, manifest) != 0) {
         return -1;
     }
-    return leaderboard_read(object, manifest);
+    return leaderboard_read(object, manifest) != 0 ? -1 : desk_fields_read(object, manifest);
 }
 
 static int file_read(const char *path, Manifest *manifest)
@@ -364,6 +411,8 @@ void manifest_free(Manifest *manifest)
 {
     free(manifest->title);
     free(manifest->leaderboard);
+    free(manifest->look);
+    free(manifest->figure);
     for (int i = 0; i < manifest->n_files; i++) {
         free(manifest->files[i]);
     }
@@ -373,6 +422,9 @@ void manifest_free(Manifest *manifest)
         free(task->file);
         free(task->title);
         free(task->hint);
+        for (int j = 0; j < MANIFEST_MORE_HINTS; j++) {
+            free(task->more_hints[j]);
+        }
         for (int j = 0; j < task->n_checks; j++) {
             free(task->checks[j].id);
             free(task->checks[j].hint);

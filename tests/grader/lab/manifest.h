@@ -7,8 +7,10 @@
 //       "tasks": [ { "id": "overlaps_N_Nearer", "file": "overlaps_N_Nearer.cl",
 //                    "title": "Does a circle cover the pixel?",
 //                    "points": { "overlaps-inside": 30, "overlaps-boundary": 70 },
-//                    "hint": "...", "hints": { "overlaps-boundary": "..." } } ],
-//       "leaderboard": "times as fast as lab 00's kernel" }
+//                    "hint": "...", "hints": { "overlaps-boundary": "..." },
+//                    "more_hints": [ "where to look", "what to draw", "the formula" ] } ],
+//       "leaderboard": "times as fast as lab 00's kernel",
+//       "hours": 2, "look": "--scene random:n=500", "figure": "01-naive-2d.png" }
 #ifndef GRADER_MANIFEST_H
 #define GRADER_MANIFEST_H
 
@@ -16,6 +18,7 @@ enum {
     MANIFEST_MAX_FILES = 8,
     MANIFEST_MAX_TASKS = 6,
     MANIFEST_MAX_CHECKS = 8,  // of a task
+    MANIFEST_MORE_HINTS = 3,  // of a task that has any
 };
 
 typedef struct TaskCheck {
@@ -29,6 +32,7 @@ typedef struct Task {
     char *file;   // one of the manifest's files
     char *title;  // one line for people
     char *hint;   // shown when one of its checks fails and no message has said why
+    char *more_hints[MANIFEST_MORE_HINTS];  // after the first one, for who asks; or all NULL
     TaskCheck checks[MANIFEST_MAX_CHECKS];
     int n_checks;
 } Task;
@@ -42,6 +46,9 @@ typedef struct Manifest {
     int n_tasks;
     char *leaderboard;  // what a figure counts that no points depend on: "times as fast as ...";
                         // NULL in a lab without a race (run/race.h)
+    int hours;          // planned for it; 0 where nothing is said
+    char *look;         // options with which its program draws in a moment; NULL: none
+    char *figure;       // in slides-notes/figures: what a right answer draws with them; NULL: none
 } Manifest;
 
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a

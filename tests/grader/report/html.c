@@ -45,26 +45,43 @@ void html_message(FILE *page, const char *message)
     free(clean);
 }
 
-static void page_begin(FILE *page, const char *title, const char *image_sources)
+// The page's own policy: what it may load.
+static void page_begin(FILE *page, const char *title, const char *policy)
 {
     fprintf(page,
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-            "img-src %s; style-src 'unsafe-inline'\">\n"
+            "%s; style-src 'unsafe-inline'\">\n"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
-            image_sources);
+            policy);
     html_line(page, title);
     fprintf(page, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n", html_style);
 }
 
 void html_page_begin(FILE *page, const char *title)
 {
-    page_begin(page, title, "data:");
+    page_begin(page, title, "img-src data:");
 }
 
 void html_album_begin(FILE *page, const char *title)
 {
-    page_begin(page, title, "data: 'self'");
+    page_begin(page, title, "img-src data: 'self'");
+}
+
+void html_followed_begin(FILE *page, const char *title, int number)
+{
+    page_begin(page, title, "img-src 'self'; script-src 'self' 'unsafe-inline'");
+    fprintf(page,
+            "<script>\n"
+            "function news(number) { if (number !== %d) location.reload(); }\n"
+            "setInterval(() => {\n"
+            "  const script = document.createElement('script');\n"
+            "  script.src = 'news.js?' + Date.now();\n"
+            "  script.onload = script.onerror = () => script.remove();\n"
+            "  document.head.append(script);\n"
+            "}, 500);\n"
+            "</script>\n",
+            number);
 }
 
 void html_page_end(FILE *page)

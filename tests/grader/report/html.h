@@ -14,6 +14,10 @@ void html_page_end(FILE *page);
 // The same for a page that shows pictures beside it or in folders below it.
 void html_album_begin(FILE *page, const char *title);
 
+// The same for a page about one's own work that loads itself anew when there is news: when news.js
+// beside it calls news() with another number than this.
+void html_followed_begin(FILE *page, const char *title, int number);
+
 // One line of any text, cleaned (clean_text.h) and escaped; also fit between double quotes, and in
 // XML.
 void html_line(FILE *page, const char *line);

@@ -20,8 +20,12 @@ typedef struct ReportTold {
 
 // For the terminal: a line a check, grouped by task, messages and hints under the failed ones, the
 // score last. Colours only when `colours` is set.
-int report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
-                int colours);
+void report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
+                 int colours);
+
+// What comes below it once the rest is done: how a race ended, and where the report is. Returns -1
+// after one message, too, where any of the text could not be written.
+int report_text_end(FILE *out, const Manifest *manifest, const Result *result, const char *path);
 
 // results.json; the schema is tests/results.schema.json.
 int report_json(const char *path, const Manifest *manifest, const Result *result);

@@ -232,6 +232,38 @@ static const Task *task_told(const Manifest *manifest, const Result *result, Rep
     return NULL;
 }
 
+// The first stage that failed, or NULL.
+static const char *failed_stage(const Result *result)
+{
+    for (int i = 0; i < result->n_stages; i++) {
+        if (result->stages[i].status == CHECK_FAILED) {
+            return result->stages[i].title;
+        }
+    }
+    return NULL;
+}
+
+// The one thing to do next: what does not compile, then a task that failed or is not answered, then
+// what else went wrong. If there is nothing of all this: hand in.
+static void next_step_print(const TextReport *report, const Manifest *manifest,
+                            const Result *result, const Task *task)
+{
+    const char *stage = failed_stage(result);
+    fprintf(report->out, "\n Next: ");
+    if (stage != NULL && (task == NULL || strcmp(stage, "Compiling") == 0)) {
+        fprintf(report->out, "correct what \"%s\" says above, then grade again\n", stage);
+    } else if (task != NULL) {
+        fprintf(report->out, "%s in %s\n", task->id, task->file);
+    } else {
+        fprintf(report->out, "nothing is missing; hand in");
+        for (int i = 0; i < manifest->n_files; i++) {
+            const char *before = i == 0 ? "" : i + 1 < manifest->n_files ? "," : " and";
+            fprintf(report->out, "%s %s", before, manifest->files[i]);
+        }
+        fputc('\n', report->out);
+    }
+}
+
 // A line a task in the order of work, and all of one.
 static void tasks_print(TextReport *report, const Manifest *manifest, const Result *result,
                         ReportTold told)
@@ -257,17 +289,16 @@ static void tasks_print(TextReport *report, const Manifest *manifest, const Resu
     if (whole != NULL) {
         task_print(report, manifest, whole, result);
     }
-    if (whole == NULL && open != NULL) {
-        fprintf(report->out, "\n Next: %s in %s\n", open->id, open->file);
-    }
     if (n_more > 0) {
         fprintf(report->out, "\n %d more task%s; TASK=%s shows %s, ALL=1 everything\n", n_more,
                 n_more == 1 ? " fails" : "s fail", next->id, n_more == 1 ? "it" : "one");
     }
+    const int is_wrong = whole != NULL && task_status(result, whole) == CHECK_FAILED;
+    next_step_print(report, manifest, result, is_wrong ? whole : next != NULL ? next : open);
 }
 
-int report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
-                int colours)
+void report_text(FILE *out, const Manifest *manifest, const Result *result, ReportTold told,
+                 int colours)
 {
     TextReport report = {.out = out, .colours = colours};
     for (int i = 0; i < result->n_checks; i++) {
@@ -290,11 +321,17 @@ int report_text(FILE *out, const Manifest *manifest, const Result *result, Repor
     }
     fprintf(out, "\n %sScore %d/%d%s\n", colour(&report, BOLD), result->score, result->max_score,
             colour(&report, PLAIN));
+    fflush(out);
+}
+
+int report_text_end(FILE *out, const Manifest *manifest, const Result *result, const char *path)
+{
     if (result->leaderboard != 0) {
         char *counts = line_clean(manifest->leaderboard);
         fprintf(out, " %.1f %s" REPORT_RACE_NOTE "\n", result->leaderboard, counts);
         free(counts);
     }
+    fprintf(out, "Report: %s\n", path);
     if (fflush(out) != 0 || ferror(out)) {
         fprintf(stderr, "report: cannot write the text report\n");
         return -1;

@@ -13,9 +13,13 @@
 // A right answer may be slower than ours, or meet a processor that is shared with others. It may
 // take this many times what ours used, and never less than the floor, as short times vary most.
 // What a handout knows is rounded up already.
-#define FACTOR 8.0
+#define FACTOR 6.0
 #define PACKED_FACTOR 4.0
-#define FLOOR_SECONDS 10.0
+#define FLOOR_SECONDS 5.0
+
+// Once a submission is known to have an endless loop, it is met again where its answer is tried
+// alone. An answer alone does less than the whole.
+#define LOOPING_SHARE 0.5
 
 // All runs together: the whole takes a quarter at most, or half where its compiler is as slow. What
 // never ends in one task or two takes less than the rest.
@@ -84,6 +88,10 @@ static double at_most(double seconds, double most)
 SandboxTime allowance_of(const Allowance *allowance, Step step, int n)
 {
     SandboxTime time = allowed_first(allowance, step);
+    if (allowance->is_looping && allowance->given_seconds == 0) {
+        time.processor *= LOOPING_SHARE;
+        time.asleep *= LOOPING_SHARE;
+    }
     const double left = left_in(allowance, 0) / n;
     time.processor = at_most(time.processor, left);
     time.asleep = at_most(time.asleep, left);

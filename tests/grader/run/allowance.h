@@ -18,6 +18,7 @@ typedef struct Allowance {
     int is_known[N_STEPS];
     int is_packed;    // it is from allowance_read_packed()
     int is_for_one;   // all that runs is one submission's: together it may use allowance_total()
+    int is_looping;   // one of its runs did not come to an end: the others may use half as much
     double spent;     // of that, seconds of processor time and asleep
     double deadline;  // when it must be graded, as seconds_now() has it; 0 for never
 } Allowance;

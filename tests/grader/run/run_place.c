@@ -1,12 +1,22 @@
 // The notes of a probe (see run_place.h).
 #include "run_place.h"
 
+#include "path.h"
+
 #include <ctype.h>
 #include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+// The probe's files, below the folder that it writes to.
+#define NOTE (PROBE_NOTE_PATH + sizeof "out")
+#define ANSWERING (PROBE_ANSWERING_PATH + sizeof "out")
+
+// More than all answers of a step.
+#define MOST_BYTES ((size_t)64 << 20)
 
 // Names are compared with their padding: one without an end is none.
 static int is_named(const ProbeNote *note, const char *step)
@@ -42,16 +52,58 @@ int run_note_is_name(const ProbeNote *note)
     return is_named(note, name);
 }
 
-ProbeNote run_note_load(const char *path)
+// A regular file of the folder, to be read; -1 where there is none. *n_bytes receives its size.
+static int file_open(const char *out, const char *name, size_t *n_bytes)
 {
-    ProbeNote note;
+    char path[PATH_MAX];
     struct stat status;
+    path_make(path, "%s/%s", out, name);
     const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    const int is_whole = file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
-                         status.st_size == sizeof note &&
-                         read(file, &note, sizeof note) == sizeof note;
+    if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
+        *n_bytes = (size_t)status.st_size;
+        return file;
+    }
     if (file >= 0) {
         close(file);
     }
-    return is_whole ? note : (ProbeNote){.name = "?"};
+    return -1;
+}
+
+// Which of n inputs was being tried: the one behind the last answer of which a bit is not set.
+static uint32_t input_find(const char *out, uint32_t n)
+{
+    size_t n_bytes = 0, n_left;
+    const int file = file_open(out, ANSWERING, &n_bytes);
+    const size_t answer_bytes = n_bytes / n;
+    unsigned char *answers = n_bytes > 0 && n_bytes <= MOST_BYTES ? malloc(n_bytes) : NULL;
+    const int is_read = answers != NULL && answer_bytes * n == n_bytes &&
+                        read(file, answers, n_bytes) == (ssize_t)n_bytes;
+    for (n_left = is_read ? n_bytes : 0; n_left > 0 && answers[n_left - 1] == 0xff;) {
+        n_left--;
+    }
+    const size_t n_answered = is_read ? (n_left + answer_bytes - 1) / answer_bytes : n;
+    free(answers);
+    if (file >= 0) {
+        close(file);
+    }
+    return n_answered < n ? (uint32_t)n_answered : PROBE_NO_INPUT;
+}
+
+ProbeNote run_note_load(const char *out)
+{
+    ProbeNote note;
+    size_t n_bytes;
+    const int file = file_open(out, NOTE, &n_bytes);
+    const int is_whole =
+        file >= 0 && n_bytes == sizeof note && read(file, &note, sizeof note) == sizeof note;
+    if (file >= 0) {
+        close(file);
+    }
+    if (!is_whole) {
+        return (ProbeNote){.name = "?"};
+    }
+    if (note.input == PROBE_NO_INPUT && note.n_together > 0) {
+        note.input = input_find(out, note.n_together);
+    }
+    return note;
 }

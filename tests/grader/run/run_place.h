@@ -9,13 +9,16 @@
 #include "note.h"
 
 typedef struct RunPlace {
-    char where[64];  // "in split_box", "while your kernels were compiled"; "": not known
-    char task[64];   // the id of the task that is asked there alone, or ""
-    char with[160];  // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles", or ""
+    char where[64];    // "in split_box", "while your kernels were compiled"; "": not known
+    char task[64];     // the id of the task that is asked there alone, or ""
+    char with[240];    // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles", or ""
+    char suspect[64];  // what a crash there comes from: "taken from an empty stack: ...", or ""
 } RunPlace;
 
-// The note in a file, or one that means nothing: neither a link is followed nor a FIFO waited for.
-ProbeNote run_note_load(const char *path);
+// The note in the folder that the probe wrote to, or one that means nothing: neither a link is
+// followed nor a FIFO waited for. If many inputs were tried together, its input is the first that
+// was not answered.
+ProbeNote run_note_load(const char *out);
 
 // What a note from before the first step means, the same in every lab; "" for a later one.
 RunPlace run_place_before(const ProbeNote *note);

@@ -25,12 +25,16 @@ typedef struct Variant {
     ProbeNote note;    // and where, as its probe noted it,
     RunPlace place;    // and in words; all "" when nobody knows
     int has_crashed;   // by a signal, or so that its probe no longer found its job
+    int is_endless;    // it used up its time, running or asleep
     char *habits;      // what else there is to say about its run, "" for most; owned
     char *run_output;  // what it wrote to stdout and stderr; owned
     unsigned number;   // of its answers: no other variant has the same
     Sections answers;  // whatever it answered
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
+    SandboxTime allowed;                 // what it may use then
+    int was_starved;                     // in this step the machine had no time for it once
+    int is_left_out;                     // no time was left to begin with it
     int is_compiled;                     // as far as that goes: build_log is set, or it can run
     int is_second;     // its kernels are compiled by SECOND_COMPILER, after the first gave up
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
@@ -53,7 +57,9 @@ void variant_job_path(const Workshop *workshop, const Variant *variant, char pat
 
 // Compile n variants side by side, each for as long as is allowed. What is ours must come first:
 // what it uses is noted, and from then on that is what limits the others. One that the machine was
-// too busy for is tried again. Returns 0, or -1 after one message when the machinery failed.
+// too busy for is tried again. Of one submission's own, at most two run at a time, in this order,
+// and those for which nothing is left are left out. Returns 0, or -1 after one message when the
+// machinery failed.
 int variants_compile(const Workshop *workshop, Variant *const variants[], int n,
                      Allowance *allowance);
 

@@ -6,6 +6,7 @@
 #include "message.h"
 #include "path.h"
 #include "probe.h"
+#include "progress.h"
 #include "race.h"
 #include "run_end.h"
 
@@ -13,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 // Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
 #define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
@@ -49,7 +51,7 @@ static void take_build(Variant *variant, SandboxResult *result, SandboxTime allo
 static int has_only_built(const Workshop *workshop, const Variant *variant)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    path_make(path, "%s/variant-%s/out", workshop->folder, variant->name);
     const ProbeNote note = run_note_load(path);
     const char *name;
     size_t place = 0, n_bytes;
@@ -64,7 +66,7 @@ static int has_only_built(const Workshop *workshop, const Variant *variant)
 static void take_place(const Workshop *workshop, Variant *variant)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out/note", workshop->folder, variant->name);
+    path_make(path, "%s/variant-%s/out", workshop->folder, variant->name);
     if (variant->alone == NULL) {
         variant->note = run_note_load(path);
         variant->place = run_place_before(&variant->note);
@@ -112,6 +114,7 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
     }
     variant->habits = run_habits_describe(result, variant->is_second && variant->trouble == NULL);
     variant->has_crashed = has_crashed(result);
+    variant->is_endless = result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP;
     if (variant->trouble != NULL) {
         take_place(workshop, variant);
     }
@@ -119,28 +122,35 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
 
 // ---- Both steps, side by side ---------------------------------------------------------------
 
-// What a variant may use that runs beside n - 1 others.
-static SandboxTime time_allowed(const Variant *variant, Step step, const Allowance *allowance,
-                                int n)
+// So many runs of one submission at a time: a grader has two processors for it at most.
+enum { SIDE_BY_SIDE = 2 };
+
+// How often is looked whether a run has ended.
+static const struct timespec pause_between_looks = {.tv_nsec = 10 * 1000 * 1000};
+
+// Let a variant use what it may beside n - 1 others, also while it runs.
+static void time_allow(Variant *variant, Step step, const Allowance *allowance, int n)
 {
-    return variant->purpose == VARIANT_SOLUTION ? allowance_ours()
-                                                : allowance_of(allowance, step, n);
+    variant->allowed =
+        variant->purpose == VARIANT_SOLUTION ? allowance_ours() : allowance_of(allowance, step, n);
+    if (variant->run != NULL) {
+        sandbox_allow(variant->run, variant->allowed);
+    }
 }
 
-static int step_start(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed)
+static int step_start(const Workshop *workshop, Variant *variant, Step step)
 {
-    variant->run = step_sandbox(workshop, variant, step, allowed);
+    variant->run = step_sandbox(workshop, variant, step, variant->allowed);
     return variant->run != NULL ? 0 : -1;
 }
 
 // Start a step once more, with what is left of the time. Returns 0, or -1 after one message.
-static int step_restart(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance,
-                        SandboxTime *allowed)
+static int step_restart(const Workshop *workshop, Variant *variant, Step step,
+                        const Allowance *allowance)
 {
-    *allowed = time_allowed(variant, step, allowance, 1);
-    return step_clear(workshop, variant->name, step) != 0
-               ? -1
-               : step_start(workshop, variant, step, *allowed);
+    time_allow(variant, step, allowance, 1);
+    return step_clear(workshop, variant->name, step) != 0 ? -1
+                                                          : step_start(workshop, variant, step);
 }
 
 // Remove what a run wrote, as soon as it is read, and a program that nobody starts again: the next
@@ -155,55 +165,61 @@ static void step_files_remove(const Workshop *workshop, const Variant *variant)
     }
 }
 
-// Wait for a variant's step. It is started again, as long as the deadline leaves time, once where
-// the machine had no time for it and once where the driver's compiler gave up on a kernel. Returns
-// 0, or -1 after one message when the machinery failed.
-static int step_take(const Workshop *workshop, Variant *variant, Step step, SandboxTime allowed,
-                     Allowance *allowance)
+// Must a run that has ended be tried again, because the machine had no time for it, or because the
+// driver's compiler gave up on a kernel? Each of these counts once, and as long as time is left.
+static int step_is_repeated(Variant *variant, Step step, const SandboxResult *result,
+                            Allowance *allowance)
 {
-    SandboxResult result;
-    const int is_extra = variant->purpose >= VARIANT_CRASH;
-    int was_starved = is_extra;
-    for (;;) {
-        result = sandbox_wait(variant->run);
-        variant->run = NULL;
-        const int is_starved = result.outcome == SANDBOX_STARVED && !was_starved;
-        const int has_fault =
-            step == STEP_RUNNING && !variant->is_second && run_end_has_compiler_fault(&result);
-        if (!is_starved && !has_fault) {
-            break;
-        }
-        if (has_fault && variant->purpose != VARIANT_SOLUTION) {
-            allowance_charge(allowance, &result);
-        }
-        if (allowance_left(allowance) <= 0) {
-            break;
-        }
-        was_starved |= is_starved;
-        variant->is_second |= has_fault;
-        free(result.output);
-        if (step_restart(workshop, variant, step, allowance, &allowed) != 0) {
-            return -1;
-        }
+    const int is_starved = result->outcome == SANDBOX_STARVED && !variant->was_starved &&
+                           variant->purpose < VARIANT_CRASH;
+    const int has_fault =
+        step == STEP_RUNNING && !variant->is_second && run_end_has_compiler_fault(result);
+    if (has_fault && variant->purpose != VARIANT_SOLUTION) {
+        allowance_charge(allowance, result);
     }
-    int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
-    if (failed && is_extra) {
+    if ((!is_starved && !has_fault) || allowance_left(allowance) <= 0) {
+        return 0;
+    }
+    variant->was_starved |= is_starved;
+    variant->is_second |= has_fault;
+    return 1;
+}
+
+// Say why the machinery failed.
+static void complain_of(const SandboxResult *result, Step step)
+{
+    if (result->outcome == SANDBOX_FAULT) {
+        fprintf(stderr, "grade: the sandbox failed: %s\n", result->output);
+        return;
+    }
+    fprintf(stderr,
+            "grade: this machine is too busy: it had %.1f s of processor time for %s in %.0f s; "
+            "grade again when it is less so\n",
+            result->used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
+            result->used.wall);
+}
+
+// Take what came of a variant's step, which has ended, or start it again. Returns 0, or -1 after
+// one message when the machinery failed.
+static int step_take(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance)
+{
+    SandboxResult result = sandbox_wait(variant->run);
+    variant->run = NULL;
+    if (step_is_repeated(variant, step, &result, allowance)) {
+        free(result.output);
+        return step_restart(workshop, variant, step, allowance);
+    }
+    const int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
+    if (failed && variant->purpose >= VARIANT_CRASH) {
         free(result.output);
         return -1;
     }
-    if (result.outcome == SANDBOX_FAULT) {
-        fprintf(stderr, "grade: the sandbox failed: %s\n", result.output);
-    } else if (result.outcome == SANDBOX_STARVED) {
-        fprintf(
-            stderr,
-            "grade: this machine is too busy: it had %.1f s of processor time for %s in %.0f s; "
-            "grade again when it is less so\n",
-            result.used.processor, step == STEP_COMPILING ? "compiling" : "running the program",
-            result.used.wall);
+    if (failed) {
+        complain_of(&result, step);
     } else if (step == STEP_COMPILING) {
-        take_build(variant, &result, allowed);
+        take_build(variant, &result, variant->allowed);
     } else {
-        take_answers(workshop, variant, &result, allowed);
+        take_answers(workshop, variant, &result, variant->allowed);
         step_files_remove(workshop, variant);
     }
     if (!failed && variant->purpose == VARIANT_SOLUTION) {
@@ -217,28 +233,90 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Sand
 
 static int is_due(const Variant *variant, Step step)
 {
-    return step == STEP_COMPILING ? !variant->is_compiled : variant->build_log == NULL;
+    return !variant->is_left_out &&
+           (step == STEP_COMPILING ? !variant->is_compiled : variant->build_log == NULL);
+}
+
+// Begin a step of a variant that needs and bears it, as long as the submission has time. Returns 0,
+// or -1 after one message.
+static int step_begin(const Workshop *workshop, Variant *variant, Step step,
+                      const Allowance *allowance)
+{
+    if (!is_due(variant, step)) {
+        return 0;
+    }
+    if (allowance->is_for_one && allowance_left(allowance) <= 0) {
+        variant->is_left_out = 1;
+        return 0;
+    }
+    variant->was_starved = 0;
+    time_allow(variant, step, allowance, 1);
+    return step_start(workshop, variant, step);
+}
+
+// Tell what is done: of several, the first.
+static void say_what_runs(const Variant *variant, Step step, int number, int n)
+{
+    if (variant->alone != NULL) {
+        progress_say("checking %s alone: task %d of %d", variant->alone, number, n);
+    } else if (variant->purpose == VARIANT_CRASH) {
+        progress_say("looking for the line of the crash");
+    } else if (variant->purpose == VARIANT_RACE) {
+        progress_say("measuring how fast it is");
+    } else {
+        progress_say(step == STEP_COMPILING ? "compiling" : "running your program");
+    }
+}
+
+// Wait until one of those that run has ended. Returns its number.
+static int any_wait(Variant *const variants[], int n, Step step)
+{
+    int first = 0;
+    while (variants[first]->run == NULL) {
+        first++;
+    }
+    say_what_runs(variants[first], step, first + 1, n);
+    for (;;) {
+        for (int i = 0; i < n; i++) {
+            if (variants[i]->run != NULL && sandbox_has_ended(variants[i]->run)) {
+                progress_hide();
+                return i;
+            }
+        }
+        progress_show();
+        nanosleep(&pause_between_looks, NULL);
+    }
+}
+
+static int count_running(Variant *const variants[], int n)
+{
+    int n_running = 0;
+    for (int i = 0; i < n; i++) {
+        n_running += variants[i]->run != NULL;
+    }
+    return n_running;
 }
 
 // Run a step of those variants that need and bear it, side by side.
 static int step_run(const Workshop *workshop, Variant *const variants[], int n, Step step,
                     Allowance *allowance)
 {
-    int result = 0;
-    for (int i = 0; i < n; i++) {
-        if (is_due(variants[i], step)) {
-            const SandboxTime allowed = time_allowed(variants[i], step, allowance, n);
-            result |= step_start(workshop, variants[i], step, allowed);
+    const int most = allowance->is_for_one ? SIDE_BY_SIDE : n;
+    int result = 0, n_running = 0;
+    for (int next = 0; next < n || n_running > 0;) {
+        if (next < n && n_running < most) {
+            result |= step_begin(workshop, variants[next++], step, allowance);
+        } else {
+            // What ours took, or who runs beside, may have changed since they were started.
+            for (int i = 0; i < n; i++) {
+                if (variants[i]->run != NULL) {
+                    time_allow(variants[i], step, allowance, n_running);
+                }
+            }
+            const int ended = any_wait(variants, n, step);
+            result |= step_take(workshop, variants[ended], step, allowance);
         }
-    }
-    for (int i = 0; i < n; i++) {
-        if (variants[i]->run == NULL) {
-            continue;
-        }
-        // What ours took, ahead of it, may have become known since it was started.
-        const SandboxTime allowed = time_allowed(variants[i], step, allowance, n - i);
-        sandbox_allow(variants[i]->run, allowed);
-        result |= step_take(workshop, variants[i], step, allowed, allowance);
+        n_running = count_running(variants, n);
     }
     return result;
 }

@@ -101,6 +101,22 @@ static int make_mount_points(const Workshop *workshop)
     return result | make_folder(path);
 }
 
+// Returns 0 when nothing is left of it.
+static int folder_clear(void *what)
+{
+    const Workshop *workshop = what;
+    glob_t found;
+    char pattern[PATH_MAX];
+    path_make(pattern, "%s/variant-*/{build,out}", workshop->folder);
+    if (glob(pattern, GLOB_BRACE, NULL, &found) == 0) {
+        for (size_t i = 0; i < found.gl_pathc; i++) {
+            limited_folder_unmount(found.gl_pathv[i]);
+        }
+        globfree(&found);
+    }
+    return folder_remove(workshop->folder) == 0 || errno == ENOENT ? 0 : -1;
+}
+
 int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
                   const char *device, SandboxKind sandbox)
 {
@@ -109,6 +125,10 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
     workshop->needs_compiler = manifest_has_host_files(manifest);
     if (temporary_folder_make(workshop->folder, "grade") != 0) {
         fprintf(stderr, "grade: no temporary folder in $TMPDIR or /tmp: %s\n", strerror(errno));
+        return -1;
+    }
+    if (janitor_start(&workshop->janitor, folder_clear, workshop) != 0) {
+        fprintf(stderr, "grade: no process can be started: %s\n", strerror(errno));
         return -1;
     }
     char path[PATH_MAX];
@@ -129,19 +149,11 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
 
 void workshop_close(Workshop *workshop)
 {
-    glob_t found;
-    char pattern[PATH_MAX];
-    path_make(pattern, "%s/variant-*/{build,out}", workshop->folder);
-    if (workshop->folder[0] != '\0' && glob(pattern, GLOB_BRACE, NULL, &found) == 0) {
-        for (size_t i = 0; i < found.gl_pathc; i++) {
-            limited_folder_unmount(found.gl_pathv[i]);
-        }
-        globfree(&found);
-    }
     if (workshop->folder[0] != '\0') {
-        folder_remove(workshop->folder);
+        folder_clear(workshop);
     }
     workshop->folder[0] = '\0';
+    janitor_dismiss(&workshop->janitor);
 }
 
 void workshop_job_suffix(int job, char suffix[16])

@@ -10,6 +10,7 @@
 #ifndef GRADER_WORKSHOP_H
 #define GRADER_WORKSHOP_H
 
+#include "janitor.h"
 #include "manifest.h"
 #include "sandbox.h"
 
@@ -23,6 +24,7 @@ typedef struct Workshop {
     SandboxKind sandbox;
     int needs_compiler;  // the lab has host files
     int n_further_jobs;  // tried by each variant but those alone
+    Janitor janitor;     // clears up where the grader cannot
 } Workshop;
 
 // The most jobs besides the first.

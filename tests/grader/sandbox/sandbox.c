@@ -8,6 +8,7 @@
 #include "sandbox_walls.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -137,6 +138,13 @@ static void output_copy(const SandboxReport *report, char *output)
         output[i] = is_control ? '?' : (char)byte;
     }
     output[report->n_output] = '\0';
+}
+
+int sandbox_has_ended(const SandboxRun *run)
+{
+    siginfo_t end = {0};
+    const int options = WEXITED | WNOHANG | WNOWAIT;
+    return waitid(P_PID, (id_t)run->supervisor, &end, options) != 0 || end.si_pid != 0;
 }
 
 SandboxResult sandbox_wait(SandboxRun *run)

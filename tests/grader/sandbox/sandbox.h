@@ -141,6 +141,9 @@ SandboxRun *sandbox_start(const SandboxCommand *command);
 // Allow it other times than it was started with, also while it runs.
 void sandbox_allow(SandboxRun *run, SandboxTime time);
 
+// Has it ended, so that waiting for it takes no time?
+int sandbox_has_ended(const SandboxRun *run);
+
 // Wait for it; it and everything it started is gone afterwards. Frees `run`.
 SandboxResult sandbox_wait(SandboxRun *run);
 

@@ -298,6 +298,7 @@ RunPlace judge_place(JudgeProcess *judge, const ProbeNote *note)
         copy_text(&reply, "where", place.where, sizeof place.where);
         copy_text(&reply, "task", place.task, sizeof place.task);
         copy_text(&reply, "with", place.with, sizeof place.with);
+        copy_text(&reply, "suspect", place.suspect, sizeof place.suspect);
     }
     sections_free(&reply);
     return place;

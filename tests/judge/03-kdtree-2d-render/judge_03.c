@@ -68,6 +68,8 @@ ANSWERS(always_left, 1,
         "the left child was chosen every time: its own cell has to hold the pixel, in both "
         "directions")
 
+EACH(is_side, found <= 1, "0 and 1 are no ids of its children: return its lChild or its rChild")
+
 // How far the pixel is from a border of the left child, and what may be meant for an epsilon.
 #define TO_X fmin(fabs((double)in.x - left.maxX), fabs((double)in.x - left.minX))
 #define TO_Y fmin(fabs((double)in.y - left.maxY), fabs((double)in.y - left.minY))
@@ -81,9 +83,9 @@ ONLY(near_border, TO_X < EPSILON || TO_Y < EPSILON,
      "your answers are those with an epsilon: none is needed")
 
 static const Known *const known[] = {
-    &inner,           &inner_x,     &inner_y,  &border,    &middle,      &corner,   &cut_borders,
-    &rounded_borders, &no_sign,     &x_alone,  &y_alone,   &copied_x,    &copied_y, &swapped_axes,
-    &contrary,        &always_left, &no_child, &on_border, &near_border,
+    &inner,           &inner_x,     &inner_y, &border,   &middle,    &corner,      &cut_borders,
+    &rounded_borders, &no_sign,     &x_alone, &y_alone,  &copied_x,  &copied_y,    &swapped_axes,
+    &contrary,        &always_left, &is_side, &no_child, &on_border, &near_border,
 };
 
 // A half-open cell.

@@ -48,7 +48,7 @@ static void describe_view(const void *input, char *words, size_t n_bytes)
 
 static const ProbeStep steps[] = {
     ON_HOST("views", "camera_axes", ViewJob, describe_view),
-    {"pixels", "in pixel_on_display or primary_ray", NULL, sizeof(PixelJob), NULL},
+    {"pixels", "in pixel_on_display or primary_ray", NULL, sizeof(PixelJob), NULL, NULL},
     ON_SCENES("picture", "in draw_directions", NULL),
 };
 

@@ -123,7 +123,7 @@ static const ProbeStep steps[] = {
     ON_HOST("splits", "choose_split", BBox3D, tree3d_describe_box),
     ON_HOST("overlaps", "sphere_overlaps_box", SphereBoxJob, describe_sphere_and_box),
     ON_HOST("pack", "pack_leaf_range", PackJob, describe_pack),
-    {"todo", "in fits_todo", "fits_todo", 0, describe_level},
+    {"todo", "in fits_todo", "fits_todo", 0, describe_level, NULL},
     ON_SCENES("tree", "while kdtree3d_build built a whole tree", NULL),
 };
 

@@ -247,7 +247,8 @@ static const ProbeStep steps[] = {
     ON_DEVICE("planes", "children_on_ray", PlaneJob),
     ON_DEVICE("leaves", "search_leaf", SearchJob),
     ON_DEVICE("next_child", "next_child", NextChildJob),
-    ON_DEVICE("next_waiting", "next_waiting", NextWaitingJob),
+    {"next_waiting", "in next_waiting", "next_waiting", sizeof(NextWaitingJob), NULL,
+     suspect_waiting_07},
     ON_SCENES("hits", "in trace", NULL),
     ON_SCENES("picture", "in render_kdtree", NULL),
 };

@@ -56,6 +56,9 @@ void roll_inputs_07(Random *random, Inputs07 *inputs);
 void roll_child_inputs_07(Random *random, Inputs07 *inputs);
 void roll_waiting_inputs_07(Random *random, Inputs07 *inputs);
 
+// What a crash of next_waiting with this NextWaitingJob comes from, or NULL.
+const char *suspect_waiting_07(const void *input);
+
 // Put the inputs that stand in every job into the places of rolled ones, at the end of each range.
 void inputs_07_set_edges(Inputs07 *inputs);
 

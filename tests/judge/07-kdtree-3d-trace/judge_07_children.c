@@ -168,6 +168,12 @@ static Parts with_ends(Parts parts, float near_t_max, float far_t_min)
     return parts;
 }
 
+static NextChildAnswer going_to(NextChildAnswer answer, u32 node)
+{
+    answer.next.node = node;
+    return answer;
+}
+
 // In which part it waits, or where the near one's ends, has many ways to be wrong.
 static int waits_always(const NextChildJob *in, const NextChildAnswer *found)
 {
@@ -191,6 +197,8 @@ EACH(always_waits, waits_always(in, found),
      "that is as if the far child waited also where only the near one is met")
 ANSWERS(is_side, visited(in, MET, with_ids(PARTS, MET.side, !MET.side)),
         "0 and 1 are sides: the children's ids are node.first and node.first + 1")
+ANSWERS(goes_to_side, going_to(child(in, MET), child(in, MET).next.node - in->node.first),
+        "that is a side and no id: the children's ids are node.first and node.first + 1")
 ANSWERS(by_bit, visited(in, MET, with_ids(PARTS, PARTS.near.node, PARTS.near.node ^ 1)),
         "the other child's id is not the near one's with its lowest bit turned: node.first may be "
         "odd")
@@ -224,9 +232,9 @@ ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in
      "takes none")
 
 static const Known *const known[] = {
-    &swapped,     &by_direction, &lower_is_near, &far_is_near, &never_skipped, &no_points,
-    &far_dropped, &near_waits,   &keeps_t_max,   &keeps_t_min, &always_waits,  &is_side,
-    &by_bit,      &near_cut,     &far_cut,       &hair,        &last_place};
+    &swapped,      &by_direction, &lower_is_near, &far_is_near, &never_skipped, &no_points,
+    &far_dropped,  &near_waits,   &keeps_t_max,   &keeps_t_min, &always_waits,  &is_side,
+    &goes_to_side, &by_bit,       &near_cut,      &far_cut,     &hair,          &last_place};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

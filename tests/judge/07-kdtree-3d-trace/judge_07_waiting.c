@@ -36,6 +36,12 @@ void roll_waiting_inputs_07(Random *random, Inputs07 *inputs)
     }
 }
 
+const char *suspect_waiting_07(const void *input)
+{
+    const NextWaitingJob *in = input;
+    return in->todo.n == 0 ? TAKEN_FROM_EMPTY : NULL;
+}
+
 #define GIVEN                                                                                      \
     const NextWaitingJob *in = &((const Job07 *)job)->inputs.waiting[i];                           \
     const NextWaitingAnswer *found = (const NextWaitingAnswer *)answers + i

@@ -168,11 +168,12 @@ static const JobPart parts[] = {
 static const ProbeStep steps[] = {
     ON_DEVICE("tile_planes", "plane_interval", TilePlaneJob),
     ON_DEVICE("tile_children", "next_tile_child", TileChildJob),
-    ON_DEVICE("tile_waiting", "next_tile_waiting", TileWaitingJob),
+    {"tile_waiting", "in next_tile_waiting", "next_tile_waiting", sizeof(TileWaitingJob), NULL,
+     suspect_waiting_10},
     ON_DEVICE("cones", "cone_misses_sphere", ConeJob),
     ON_DEVICE("circle_rows", "paint_row", CircleRowJob),
     ON_DEVICE("tile_leaves", "tile_leaf", CircleTileJob),
-    {"circle_tiles", "in tile_leaf or paint_row", NULL, sizeof(CircleTileJob), NULL},
+    {"circle_tiles", "in tile_leaf or paint_row", NULL, sizeof(CircleTileJob), NULL, NULL},
     ON_SCENES("picture", "in trace_tile", NULL),
 };
 

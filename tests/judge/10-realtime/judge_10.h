@@ -99,6 +99,9 @@ typedef struct Job10 {
 void roll_planes_10(Random *random, Job10 *job);
 void roll_children_10(Random *random, Job10 *job);
 void roll_waiting_10(Random *random, Job10 *job);
+
+// What a crash of next_tile_waiting with this TileWaitingJob comes from, or NULL.
+const char *suspect_waiting_10(const void *input);
 void roll_cones_10(Random *random, Job10 *job);
 // How far off rounding may be: of the sphere's distance from the cone's border, and of its size.
 double cone_rounding_10(Vec3 centre, double size);

@@ -55,6 +55,17 @@ void roll_waiting_10(Random *random, Job10 *job)
     }
 }
 
+// If nothing that waits may hold a nearer hit, all of it is taken from the stack.
+const char *suspect_waiting_10(const void *input)
+{
+    const TileWaitingJob *in = input;
+    u32 i = 0;
+    while (i < in->todo.n && in->todo.upper[i].t_min > in->farthest) {
+        i++;
+    }
+    return i == in->todo.n ? TAKEN_FROM_EMPTY : NULL;
+}
+
 #define GIVEN                                                                                      \
     const TileWaitingJob *in = &((const Job10 *)job)->waiting[i];                                  \
     const NextWaitingAnswer *found = (const NextWaitingAnswer *)answers + i

@@ -7,6 +7,9 @@
 #include "random.h"
 #include "words.h"
 
+// What crashes a step that has nothing to take.
+#define TAKEN_FROM_EMPTY "taken from an empty stack: nothing was waiting"
+
 // A number of quarters, from lowest to highest of them.
 float random_quarters(Random *random, int lowest, int highest);
 

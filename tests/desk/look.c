@@ -1,0 +1,125 @@
+// Drawing the open scene (see look.h). Used by watch.c and tell.c.
+#include "look.h"
+
+#include "message.h"
+#include "path.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// Rounding may end otherwise on another device: half a step of a channel in a file, and this share
+// of the pixels of a scene in 3D, where it decides what is seen.
+#define TOLERANCE (1.5F / 255)
+#define EXCEPTIONS_PER_PIXEL 0.002
+
+void look_open(const Desk *desk, Look *look)
+{
+    char path[PATH_MAX];
+    *look = (Look){.desk = desk};
+    path_make(look->folder, "%s/watch", desk->build);
+    path_make(look->picture, "%s/picture.png", look->folder);
+    mkdir(look->folder, 0777);
+    if (desk->lab->figure == NULL || desk->options != NULL) {
+        return;
+    }
+    path_make(path, "slides-notes/figures/%s", desk->lab->figure);
+    if (access(path, R_OK) == 0 && image_load(path, &look->figure) == 0) {
+        path_make(path, "%s/expected.png", look->folder);
+        image_save(&look->figure, path);
+    }
+}
+
+void look_close(Look *look)
+{
+    image_free(&look->figure);
+}
+
+const char *look_options(const Look *look)
+{
+    const Desk *desk = look->desk;
+    return desk->options != NULL ? desk->options : desk->lab->look != NULL ? desk->lab->look : "";
+}
+
+int look_start_building(const Look *look, Child *child)
+{
+    char program[PATH_MAX];
+    path_make(program, "%s/labs/%s", look->desk->build, look->desk->lab->lab);
+    char *words[] = {(char *)look->desk->make, "-s", "--no-print-directory", program, NULL};
+    return child_start(child, words, CHILD_IS_READ);
+}
+
+int look_start_drawing(const Look *look, Child *child)
+{
+    enum { MOST_OPTIONS = 32 };
+    char program[PATH_MAX];
+    path_make(program, "%s/labs/%s", look->desk->build, look->desk->lab->lab);
+    char *words[MOST_OPTIONS + 6] = {program};
+    char *options = strdup(look_options(look)), *rest = NULL;
+    int n = 1;
+    for (char *word = strtok_r(options, " ", &rest); word != NULL && n < MOST_OPTIONS;
+         word = strtok_r(NULL, " ", &rest)) {
+        words[n++] = word;
+    }
+    words[n++] = "--output";
+    words[n++] = (char *)look->picture;
+    if (look->desk->device != NULL) {
+        words[n++] = "--device";
+        words[n++] = (char *)look->desk->device;
+    }
+    const int started = child_start(child, words, CHILD_IS_READ);
+    free(options);
+    return started;
+}
+
+void look_compare(Look *look)
+{
+    char path[PATH_MAX];
+    Image own = {0}, difference = {0};
+    look->has_figure = 0;
+    look->has_picture = image_load(look->picture, &own) == 0;
+    if (look->has_picture && look->figure.pixels != NULL) {
+        ImageDifference *found = &look->difference;
+        *found = image_compare(&own, &look->figure, TOLERANCE);
+        if (found->n_different <= EXCEPTIONS_PER_PIXEL * own.width * own.height) {
+            found->n_different = 0;
+        }
+        path_make(path, "%s/difference.png", look->folder);
+        look->has_figure = found->same_size &&
+                           image_difference_picture(&own, &look->figure, &difference) == 0 &&
+                           image_save(&difference, path) == 0;
+    }
+    image_free(&own);
+    image_free(&difference);
+}
+
+char *look_command(const Look *look)
+{
+    char steps[PATH_MAX];
+    const char *lab = look->desk->lab->lab;
+    path_make(steps, "common/follow/steps/%s.cl", lab);
+    if (!look->has_picture || !look->has_figure || look->difference.n_different == 0 ||
+        access(steps, R_OK) != 0) {
+        return NULL;
+    }
+    return message_new("make pixel LAB=%.2s AT=%d,%d OPTIONS=\"%s\"", lab, look->difference.first_x,
+                       look->difference.first_y, look_options(look));
+}
+
+char *look_for_command(Look *look)
+{
+    enum { MOST_BUILDING_MS = 60 * 1000 };
+    Child child = {.output = -1};
+    int status = 1;
+    char *command = NULL;
+    if (look_start_building(look, &child) == 0 &&
+        child_wait(&child, MOST_BUILDING_MS, &status) == 0 && status == 0 &&
+        look_start_drawing(look, &child) == 0 && child_wait(&child, LOOK_MOST_MS, &status) == 0 &&
+        status == 0) {
+        look_compare(look);
+        command = look_command(look);
+    }
+    free(child.said);
+    return command;
+}

@@ -1,0 +1,48 @@
+// The lab's open scene, drawn with the student's program: is the picture the lecture's figure?
+//
+// A lab's manifest says how its program draws the scene (`look`) and which figure a right answer
+// draws then. The pictures are in build/watch: picture.png, expected.png, difference.png.
+#ifndef DESK_LOOK_H
+#define DESK_LOOK_H
+
+#include "child.h"
+#include "desk.h"
+#include "image.h"
+
+#include <limits.h>
+
+// A picture takes a second; a student's loop may have no end.
+enum { LOOK_MOST_MS = 6 * 1000 };
+
+typedef struct Look {
+    const Desk *desk;
+    char folder[PATH_MAX], picture[PATH_MAX];
+    Image figure;                 // no pixels where there is none to hold the picture against
+    int has_picture, has_figure;  // after look_compare()
+    ImageDifference difference;   // of the two; 0 pixels where they differ by rounding only
+} Look;
+
+// Make the folder and load the figure. Release with look_close().
+void look_open(const Desk *desk, Look *look);
+void look_close(Look *look);
+
+// The options that the picture is drawn with.
+const char *look_options(const Look *look);
+
+// Start building the program, and drawing with it. Each returns as child_start() does.
+int look_start_building(const Look *look, Child *child);
+int look_start_drawing(const Look *look, Child *child);
+
+// The picture was drawn: hold it against the figure, and save what they differ in. With options of
+// the student's own there is nothing to hold it against.
+void look_compare(Look *look);
+
+// The command that follows the first wrong pixel, to copy; NULL where there is none, or the lab has
+// nothing to follow. Owned by the caller.
+char *look_command(const Look *look);
+
+// Build, draw and compare, and wait for it. Returns that command, or NULL, also where the program
+// does not compile or end.
+char *look_for_command(Look *look);
+
+#endif

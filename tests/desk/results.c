@@ -1,0 +1,71 @@
+// Reading results.json (see results.h).
+#include "results.h"
+
+#include "complain.h"
+
+#include <string.h>
+
+json_t *results_load(const char *path)
+{
+    json_error_t error;
+    json_t *results = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    if (json_is_array(json_object_get(results, "checks")) &&
+        json_is_array(json_object_get(results, "tasks"))) {
+        return results;
+    }
+    complain("desk: %s: %s", path, results == NULL ? error.text : "no result of the grader");
+    json_decref(results);
+    return NULL;
+}
+
+const char *text_of(const json_t *object, const char *field)
+{
+    const char *text = json_string_value(json_object_get(object, field));
+    return text != NULL ? text : "";
+}
+
+int number_of(const json_t *object, const char *field)
+{
+    return (int)json_integer_value(json_object_get(object, field));
+}
+
+const json_t *results_first_fault(const json_t *results)
+{
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(results, "checks"), i, check)
+    {
+        if (strcmp(text_of(check, "status"), "passed") != 0) {
+            return check;
+        }
+    }
+    return NULL;
+}
+
+static int points_in(const json_t *results, const char *id)
+{
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(results, "checks"), i, check)
+    {
+        if (strcmp(text_of(check, "id"), id) == 0) {
+            return number_of(check, "points");
+        }
+    }
+    return 0;
+}
+
+void results_compare(const json_t *before, const json_t *now,
+                     void (*tell)(void *context, const json_t *check, int difference),
+                     void *context)
+{
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(now, "checks"), i, check)
+    {
+        const int difference = number_of(check, "points") - points_in(before, text_of(check, "id"));
+        if (difference != 0) {
+            tell(context, check, difference);
+        }
+    }
+}

@@ -1,0 +1,23 @@
+// results.json, which the grader wrote, as the desk reads it.
+#ifndef DESK_RESULTS_H
+#define DESK_RESULTS_H
+
+#include <jansson.h>
+
+// Read a file of the grader's. Returns the object, json_decref() it; or NULL after one message.
+json_t *results_load(const char *path);
+
+// A field of an object: a text, "" where there is none; a number, 0 where there is none.
+const char *text_of(const json_t *object, const char *field);
+int number_of(const json_t *object, const char *field);
+
+// The first check in the order of work that has not passed, or NULL: there is none.
+const json_t *results_first_fault(const json_t *results);
+
+// Call `tell` for each check whose points differ between two results of one lab.
+//   before   NULL: each that has points now
+void results_compare(const json_t *before, const json_t *now,
+                     void (*tell)(void *context, const json_t *check, int difference),
+                     void *context);
+
+#endif

@@ -1,0 +1,26 @@
+// What a student has saved: the bytes of the lab's files, seen by looking and not by being told.
+//
+// Looking ten times a second finds every way in which an editor saves (in place, twice, by
+// renaming, through a folder of another system), on every file system; inotify does not hear what
+// is written on the other side of a network or of WSL.
+#ifndef DESK_SAVED_H
+#define DESK_SAVED_H
+
+#include <stdint.h>
+
+enum { SAVED_MAX_FILES = 32 };
+
+typedef struct SavedFiles {
+    int n_files;
+    char names[SAVED_MAX_FILES][64];
+    uint64_t sums[SAVED_MAX_FILES];  // of the bytes
+    uint64_t sum;                    // of all names and bytes
+} SavedFiles;
+
+// Look at the sources and headers in a folder. Names are in order.
+void saved_look(const char *folder, SavedFiles *files);
+
+// Write the names of those that differ into a line: "a.c, b.cl". Returns `line`.
+char *saved_changes(const SavedFiles *before, const SavedFiles *now, char *line, int n_bytes);
+
+#endif

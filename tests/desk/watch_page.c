@@ -1,0 +1,174 @@
+// Writing the watch's page (see watch_page.h).
+//
+// It has the looks of the report (html_style.h). The one script in it compares the number of the
+// news with that in news.js twice a second; no other text is part of a script. Read next: watch.c.
+#include "watch_page.h"
+
+#include "html.h"
+#include "output_file.h"
+#include "path.h"
+#include "results.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static void head_write(FILE *page, const Manifest *lab, const News *news)
+{
+    fputs("<header>\n<div class=\"head\"><div><p class=\"lab\">", page);
+    html_line(page, lab->lab);
+    fputs("</p>\n<h1>", page);
+    html_line(page, lab->title);
+    fputs("</h1></div>\n", page);
+    if (news->results != NULL) {
+        fprintf(page, "<p class=\"score number\">%d <small>of %d points</small></p>",
+                number_of(news->results, "score"), number_of(news->results, "max_score"));
+    }
+    fputs("</div>\n", page);
+    if (news->results != NULL) {
+        html_score_bar(page, number_of(news->results, "score"),
+                       number_of(news->results, "max_score"));
+    }
+    fputs("<p class=\"soft\">", page);
+    html_line(page, news->state);
+    fputs("</p>\n", page);
+    html_message(page, news->changes);
+    fputs("</header>\n", page);
+}
+
+static void said_write(FILE *page, const News *news)
+{
+    if (news->said[0] != '\0') {
+        fputs("<section class=\"card stages\"><div class=\"check failed\">"
+              "<span class=\"mark\">&#10007;</span>",
+              page);
+        html_message(page, news->said);
+        fputs("</div></section>\n", page);
+    }
+}
+
+static void picture_write(FILE *page, const char *name, const char *words, int number)
+{
+    fprintf(page,
+            "<figure><figcaption>%s</figcaption><img src=\"%s.png?%d\" alt=\"%s\"></figure>\n",
+            words, name, number, words);
+}
+
+static void pictures_write(FILE *page, const News *news)
+{
+    const Look *look = news->look;
+    if (!look->has_picture) {
+        return;
+    }
+    fputs("<section class=\"card\"><div class=\"title\"><b>The open scene</b></div>\n"
+          "<p class=\"soft\">drawn with ",
+          page);
+    html_line(page, look_options(look));
+    if (look->has_figure && look->difference.n_different > 0) {
+        fprintf(page, "; %d pixels differ, the first is (%d, %d)", look->difference.n_different,
+                look->difference.first_x, look->difference.first_y);
+    } else if (look->has_figure) {
+        fputs("; no pixel differs", page);
+    }
+    fputs("</p><div class=\"trio\">\n", page);
+    picture_write(page, "picture", "Yours", news->number);
+    if (look->has_figure) {
+        picture_write(page, "expected", "As it should be", news->number);
+        picture_write(page, "difference", "Difference: black where equal", news->number);
+    }
+    fputs("</div>\n", page);
+    if (news->command != NULL) {
+        fputs("<p class=\"hint\"><b>See why</b> <code>", page);
+        html_line(page, news->command);
+        fputs("</code></p>\n", page);
+    }
+    fputs("</section>\n", page);
+}
+
+// A line a task, and the first fault.
+static void verdict_write(FILE *page, const News *news, const char *report)
+{
+    const json_t *fault = results_first_fault(news->results);
+    size_t i;
+    json_t *task;
+    if (news->results == NULL) {
+        return;
+    }
+    fputs("<section class=\"card stages\">\n", page);
+    json_array_foreach(json_object_get(news->results, "tasks"), i, task)
+    {
+        const int points = number_of(task, "points"), most = number_of(task, "max_points");
+        const int is_first = strcmp(text_of(fault, "task"), text_of(task, "id")) == 0;
+        fprintf(page,
+                "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
+                points == most ? "passed"
+                : is_first     ? "failed"
+                               : "not-run",
+                points == most ? "&#10003;" : "&#10007;");
+        html_line(page, text_of(task, "title"));
+        fputs("</span> <code class=\"id\">", page);
+        html_line(page, text_of(task, "id"));
+        fprintf(page, "</code></div><span class=\"number\">%d / %d</span>\n", points, most);
+        if (is_first) {
+            html_message(page, text_of(fault, "message"));
+        }
+        fputs("</div>\n", page);
+    }
+    fputs("<p class=\"hint\"><a href=\"", page);
+    html_line(page, report);
+    fputs("\">The whole report</a></p></section>\n", page);
+}
+
+// Points over time, as steps from the left edge to the right.
+static void history_write(FILE *page, const News *news)
+{
+    enum { WIDTH = 700, HEIGHT = 120, FOOT = 20 };
+    if (news->n_verdicts < 2) {
+        return;
+    }
+    const double most = news->verdicts[news->n_verdicts - 1].seconds;
+    fprintf(page,
+            "<section class=\"card\"><div class=\"title\"><b>Points over time</b></div>\n"
+            "<div class=\"histogram\"><svg viewBox=\"-40 -12 %d %d\" role=\"img\" "
+            "aria-label=\"points over time\"><path fill=\"none\" stroke=\"currentColor\" "
+            "stroke-width=\"2\" d=\"",
+            WIDTH + 60, HEIGHT + FOOT + 16);
+    for (int i = 0; i < news->n_verdicts; i++) {
+        const double x = most > 0 ? WIDTH * news->verdicts[i].seconds / most : 0;
+        const double y = HEIGHT * (1 - news->verdicts[i].score / 100.0);
+        fprintf(page, i == 0 ? "M%.1f %.1f" : "H%.1fV%.1f", x, y);
+    }
+    fprintf(page,
+            "\"/><text class=\"soft\" x=\"-22\" y=\"4\">100</text>"
+            "<text class=\"soft\" x=\"-16\" y=\"%d\">0</text>"
+            "<text class=\"soft\" x=\"20\" y=\"%d\">0 min</text>"
+            "<text class=\"soft\" x=\"%d\" y=\"%d\">%.0f min</text></svg></div></section>\n",
+            HEIGHT, HEIGHT + FOOT, WIDTH - 16, HEIGHT + FOOT, most / 60);
+}
+
+int watch_page_write(const News *news, const char *report)
+{
+    const char *folder = news->look->folder;
+    const Manifest *lab = news->look->desk->lab;
+    char path[PATH_MAX];
+    OutputFile page, script;
+    path_make(path, "%s/index.html", folder);
+    if (output_file_open(&page, path) != 0) {
+        return -1;
+    }
+    html_followed_begin(page.file, lab->lab, news->number);
+    head_write(page.file, lab, news);
+    said_write(page.file, news);
+    pictures_write(page.file, news);
+    verdict_write(page.file, news, report);
+    history_write(page.file, news);
+    html_page_end(page.file);
+    if (output_file_commit(&page) != 0) {
+        return -1;
+    }
+    path_make(path, "%s/news.js", folder);
+    if (output_file_open(&script, path) != 0) {
+        return -1;
+    }
+    fprintf(script.file, "news(%d);\n", news->number);
+    return output_file_commit(&script);
+}

@@ -1,0 +1,149 @@
+#!/bin/sh
+# The learner's desk: progress, hints, and the watch over what is saved, in a copy of the course.
+#
+#     sh tests/suites/desk.sh      from the top folder, after `make tests`
+set -u
+unset MAKEFLAGS MFLAGS MAKELEVEL
+. tests/tap.sh
+. tests/course_copy.sh
+# Other users may enter, as the sandbox's is somebody else.
+chmod 711 "$scratch"
+mkdir -m 711 "$scratch/work"
+export TMPDIR="$scratch/work"
+lab=03-kdtree-2d-render
+file=labs/$lab/implicit2DRenderer_KD.cl
+right=solutions/$lab/implicit2DRenderer_KD.cl
+rm -f progress.json
+make -s skeletons
+
+# says WORDS COMMAND...: does its output hold the words?
+says() {
+    words=$1
+    shift
+    said=$("$@" 2>&1)
+    printf '%s\n' "$said" | grep -qF -- "$words" || { printf '%s\n' "$said"; return 1; }
+}
+
+# ---- Progress and hints ---------------------------------------------------------------------------
+
+check "without a grading nothing is reached" says "0 of 11 labs done, 0 of 1100 points. Planned: 35 hours" make -s progress
+check "a hint needs a grading" says "run make grade LAB=03 first" make -s hint LAB=03
+check "the lab is asked for" says "say which lab" make -s hint
+make -s grade LAB=03 >/dev/null 2>&1
+check "make grade notes what is reached" says "Next: getContainingChild in labs/$lab: make watch LAB=03" make -s progress
+check "the first hint is the idea" says "1 of 4  Draw the two cells" make -s hint LAB=03
+check "the next time there is one more" says "2 of 4  " make -s hint LAB=03
+make -s hint LAB=03 >/dev/null
+check "the last one is the formula" says "4 of 4  " make -s hint LAB=03
+check "after it there are no more" says "There are no more" make -s hint LAB=03
+check "a grading of the same fault keeps them" sh -c 'make -s grade LAB=03 >/dev/null 2>&1; grep -q "\"hints\": 4" progress.json'
+check "another's submission is not one's own progress" sh -c "make -s grade LAB=03 SUBMISSION=solutions/$lab >/dev/null 2>&1; grep -q '\"score\": 0' progress.json"
+echo '{' >progress.json
+check "a damaged record is named" says "progress.json: cannot be read" make -s progress
+check "and so in one message that says what to do" says "delete it" build/tools/desk hint --lab "$lab"
+rm progress.json
+
+# ---- Watching -------------------------------------------------------------------------------------
+
+mkfifo keys
+log=$PWD/watch.log
+build/tools/desk watch --lab "$lab" <keys >"$log" 2>&1 &
+watch=$!
+exec 3>keys
+trap 'kill $watch 2>/dev/null; rm -rf "$scratch"' EXIT
+
+# News: as many rounds have begun, and are done, when the keys are offered.
+rounds() { grep -c '^---- ' "$log"; }
+offers() { grep -c '^   h hint' "$log"; }
+# done_after N: were the keys offered more than N times?
+done_after() { [ "$(offers)" -gt "$1" ]; }
+# saved COMMAND...: do it, and wait for what comes of it.
+saved() {
+    before=$(offers)
+    "$@"
+    await done_after "$before"
+}
+# last WORDS: are they in what was printed since the last round began?
+last() { awk '/^---- /{text = ""} {text = text "\n" $0} END {print text}' "$log" | grep -qF -- "$1" || { tail -n 40 "$log"; return 1; }; }
+by_renaming() { cp "$right" "$file.new" && mv "$file.new" "$file"; }
+with_a_typo() { sed -i 's/uint offset/uint ofset/' "$file"; }
+last_missing() { sed 's/i <= n_circles/i < n_circles/' "$right" >"$file"; }
+
+await done_after 0
+check "it begins with a verdict" last "Score 0/100"
+saved by_renaming
+check "a save by renaming is seen, and its picture is right" last "the picture is as it should be"
+check "it is graded" last "Score 100/100"
+check "what was gained is told" last "+15  leaf-random"
+check "the page shows it" grep -q '100 <small>of 100' build/watch/index.html
+heart_done=$(rounds)
+touch "$file"
+cp "$right" "$file"
+saved with_a_typo
+check "the same bytes again are no save" [ "$(rounds)" -eq $((heart_done + 1)) ]
+check "what does not compile is named at once" last "does not compile"
+check "at the student's line" last "error: use of undeclared identifier 'offset'"
+check "and on the page" grep -q "undeclared identifier" build/watch/index.html
+saved last_missing
+check "what was lost is told" last "-15  leaf-random"
+check "a wrong pixel can be followed" last "see why: make pixel LAB=03 AT="
+check "the page has the difference" grep -q 'difference.png' build/watch/index.html
+saved eval 'printf h >&3'
+check "h shows a hint" last "1 of 4  "
+check "a second watch is refused" says "one runs here already" build/tools/desk watch --lab "$lab"
+
+# Two saves, the second while the first one is graded: the last one has its verdict.
+before=$(offers)
+rounds_before=$(rounds)
+sed 's/color = /color = 1 - /' "$right" >"$file"
+more_rounds() { [ "$(rounds)" -gt "$rounds_before" ]; }
+await more_rounds
+cp "$right" "$file"
+await done_after "$before"
+check "a save in the middle of a round ends it" [ "$(grep -c 'not graded to its end' "$log")" -ge 1 ]
+check "and is not missed" last "Score 100/100"
+
+kill -INT "$watch"
+wait "$watch"
+ok $? "Ctrl-C ends it" "$(tail -n 5 "$log")"
+nothing_is_left() { [ -z "$(ls -A "$TMPDIR")" ] && ! pgrep -f "$course" >/dev/null; }
+await nothing_is_left
+ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
+check "what was reached is noted" says "100/100" make -s progress
+heart_ends
+
+# ---- A wrong pixel ----------------------------------------------------------------------------------
+
+last_missing
+command=$(make -s grade LAB=03 2>/dev/null | sed -n 's/^See why: //p')
+check "make grade offers to follow a wrong pixel" says "640 x 480: pixel 0, 0" eval "$command"
+cp "$right" "$file"
+check "a right picture has none" sh -c "! make -s grade LAB=03 2>&1 | grep 'See why'"
+
+# ---- A grading that is ended ------------------------------------------------------------------------
+
+for signal in TERM KILL; do
+    build/tools/grade --lab 03 >/dev/null 2>&1 &
+    grading=$!
+    has_begun() { [ -n "$(ls -A "$TMPDIR")" ]; }
+    await has_begun
+    kill -$signal $grading
+    wait $grading 2>/dev/null
+    await nothing_is_left
+    ok $? "a grading that is ended by $signal leaves nothing" "$(ls -A "$TMPDIR")"
+done
+
+# ---- The open scene -----------------------------------------------------------------------------------
+
+for manifest in solutions/*/lab.json; do
+    name=$(basename "$(dirname "$manifest")")
+    figure=$(sed -n 's/^  "figure": "\(.*\)",$/\1/p' "$manifest")
+    [ -n "$figure" ] || continue
+    options=$(sed -n 's/^  "look": "\(.*\)",$/\1/p' "$manifest")
+    # shellcheck disable=SC2086 # words
+    "build/solutions/$name" $options --output open.png >/dev/null 2>&1
+    check "$name: the solution draws the figure that students compare with" \
+        build/tools/compare open.png "slides-notes/figures/$figure" 0.006 500
+done
+
+finish
