@@ -101,8 +101,13 @@ if [ -z "$list" ]; then
     fine packages "all are installed that are needed for: $target"
 else
     mend=$(echo "$list" | sed -n 2p)
-    [ -z "$mend" ] || ! has make || ! has apt-get || mend="make setup"
-    wrong packages "missing: $(echo "$list" | sed -n 1p)" "${mend:-install what these Debian packages hold}"
+    if has apt-get; then
+        ! has make || mend="make setup"
+    elif [ -x /usr/bin/apt-get ]; then
+        mend=$(installs none apt-get)
+    fi
+    # Elsewhere install.sh says what these packages are.
+    wrong packages "missing: $(echo "$list" | sed -n 1p)" "${mend:-sh common/setup/install.sh $target}"
 fi
 
 if has make; then

@@ -97,6 +97,13 @@ check "a package is missing" finds packages 'missing: libcsv-dev' 'make setup'
 
 heart_ends
 
+for tool in apt-get dpkg-query dnf pacman; do rm -f "$scratch/bin/$tool"; done
+rm "$scratch/bin/pkg-config"
+instead uname 'case $1 in -m) echo x86_64 ;; *) echo Linux ;; esac'
+doctor --
+if [ -x /usr/bin/apt-get ]; then mend=/usr/bin; else mend=install.sh; fi
+check "a system without apt, or a shell that does not see it" finds packages 'missing: make gcc' "$mend"
+
 # A compiler for which a library or a header is not there.
 machine
 instead gcc 'case "$*" in *-lOpenCL*) echo "ld: cannot find -lOpenCL: No such file or directory" >&2; exit 1 ;; esac' "exec $(command -v gcc) \"\$@\""

@@ -12,13 +12,9 @@
 
 // What to do where bubblewrap itself fails.
 static const char advice[] =
-    "  bubblewrap 0.8 or newer needs user namespaces, which seem to be off here. Turn them on "
-    "with\n"
-    "      sysctl user.max_user_namespaces=10000                  (where it is 0)\n"
-    "      sysctl kernel.unprivileged_userns_clone=1              (Debian)\n"
-    "      sysctl kernel.apparmor_restrict_unprivileged_userns=0  (Ubuntu)\n"
-    "  or allow bwrap in an AppArmor profile. In a container: grade outside of it, or start it "
-    "with\n"
+    "  bubblewrap 0.8 or newer needs user namespaces, which seem to be off here: `make doctor` "
+    "names\n"
+    "  the command that turns them on. In a container: grade outside of it, or start it with\n"
     "      --security-opt seccomp=unconfined --security-opt systempaths=unconfined\n";
 
 // What SANDBOX_ANY tries, the strongest first.
