@@ -42,11 +42,17 @@ const char *look_options(const Look *look)
     return desk->options != NULL ? desk->options : desk->lab->look != NULL ? desk->lab->look : "";
 }
 
-int look_start_building(const Look *look, Child *child)
+int look_start_building(const Look *look, const char *const *changed, Child *child)
 {
-    char program[PATH_MAX];
+    enum { MOST_CHANGED = 32 };
+    char program[PATH_MAX], newer[MOST_CHANGED][PATH_MAX];
     path_make(program, "%s/labs/%s", look->desk->build, look->desk->lab->lab);
-    char *words[] = {(char *)look->desk->make, "-s", "--no-print-directory", program, NULL};
+    char *words[MOST_CHANGED + 5] = {(char *)look->desk->make, "-s", "--no-print-directory",
+                                     program};
+    for (int i = 0; i < MOST_CHANGED && changed != NULL && changed[i] != NULL; i++) {
+        path_make(newer[i], "--what-if=labs/%s/%s", look->desk->lab->lab, changed[i]);
+        words[4 + i] = newer[i];
+    }
     return child_start(child, words, CHILD_IS_READ);
 }
 
@@ -68,6 +74,7 @@ int look_start_drawing(const Look *look, Child *child)
         words[n++] = "--device";
         words[n++] = (char *)look->desk->device;
     }
+    unlink(look->picture);
     const int started = child_start(child, words, CHILD_IS_READ);
     free(options);
     return started;
@@ -78,7 +85,7 @@ void look_compare(Look *look)
     char path[PATH_MAX];
     Image own = {0}, difference = {0};
     look->has_figure = 0;
-    look->has_picture = image_load(look->picture, &own) == 0;
+    look->has_picture = access(look->picture, R_OK) == 0 && image_load(look->picture, &own) == 0;
     if (look->has_picture && look->figure.pixels != NULL) {
         ImageDifference *found = &look->difference;
         *found = image_compare(&own, &look->figure, TOLERANCE);
@@ -94,13 +101,18 @@ void look_compare(Look *look)
     image_free(&difference);
 }
 
-char *look_command(const Look *look)
+int look_can_be_followed(const Look *look)
 {
     char steps[PATH_MAX];
+    path_make(steps, "common/follow/steps/%s.cl", look->desk->lab->lab);
+    return access(steps, R_OK) == 0;
+}
+
+char *look_command(const Look *look)
+{
     const char *lab = look->desk->lab->lab;
-    path_make(steps, "common/follow/steps/%s.cl", lab);
     if (!look->has_picture || !look->has_figure || look->difference.n_different == 0 ||
-        access(steps, R_OK) != 0) {
+        !look_can_be_followed(look)) {
         return NULL;
     }
     return message_new("make pixel LAB=%.2s AT=%d,%d OPTIONS=\"%s\"", lab, look->difference.first_x,
@@ -113,7 +125,7 @@ char *look_for_command(Look *look)
     Child child = {.output = -1};
     int status = 1;
     char *command = NULL;
-    if (look_start_building(look, &child) == 0 &&
+    if (look_start_building(look, NULL, &child) == 0 &&
         child_wait(&child, MOST_BUILDING_MS, &status) == 0 && status == 0 &&
         look_start_drawing(look, &child) == 0 && child_wait(&child, LOOK_MOST_MS, &status) == 0 &&
         status == 0) {

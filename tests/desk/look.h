@@ -30,12 +30,17 @@ void look_close(Look *look);
 const char *look_options(const Look *look);
 
 // Start building the program, and drawing with it. Each returns as child_start() does.
-int look_start_building(const Look *look, Child *child);
+//   changed   files of the lab's folder that make shall take for newer than what was made of them,
+//             whatever their times say, NULL-terminated; or NULL
+int look_start_building(const Look *look, const char *const *changed, Child *child);
 int look_start_drawing(const Look *look, Child *child);
 
-// The picture was drawn: hold it against the figure, and save what they differ in. With options of
+// The program has ended well: is there a picture? Then hold it against the figure, and save what they differ in. With options of
 // the student's own there is nothing to hold it against.
 void look_compare(Look *look);
+
+// Can a pixel of this lab be followed, by make pixel?
+int look_can_be_followed(const Look *look);
 
 // The command that follows the first wrong pixel, to copy; NULL where there is none, or the lab has
 // nothing to follow. Owned by the caller.

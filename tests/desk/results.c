@@ -42,6 +42,12 @@ const json_t *results_first_fault(const json_t *results)
     return NULL;
 }
 
+int fault_is_unanswered(const json_t *check)
+{
+    static const char begin[] = "not answered yet";
+    return strncmp(text_of(check, "message"), begin, strlen(begin)) == 0;
+}
+
 static int points_in(const json_t *results, const char *id)
 {
     size_t i;

@@ -14,6 +14,9 @@ int number_of(const json_t *object, const char *field);
 // The first check in the order of work that has not passed, or NULL: there is none.
 const json_t *results_first_fault(const json_t *results);
 
+// Is it a check of a task that stands as it was handed out?
+int fault_is_unanswered(const json_t *check);
+
 // Call `tell` for each check whose points differ between two results of one lab.
 //   before   NULL: each that has points now
 void results_compare(const json_t *before, const json_t *now,

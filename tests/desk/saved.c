@@ -87,3 +87,19 @@ char *saved_changes(const SavedFiles *before, const SavedFiles *now, char *line,
     add_names(before, now, 0, line, n_bytes, length);
     return line;
 }
+
+void saved_to_make(const SavedFiles *before, const SavedFiles *now,
+                   const char *names[SAVED_MAX_FILES + 1])
+{
+    int n = 0;
+    for (int i = 0; i < now->n_files; i++) {
+        const char *name = now->names[i], *ending = strrchr(name, '.');
+        const uint64_t *old = sum_of(before, name);
+        const int is_changed = old == NULL || *old != now->sums[i];
+        const int is_relinked = strcmp(name, "main.c") == 0 && before->n_files != now->n_files;
+        if (strcmp(ending, ".cl") != 0 && (is_changed || is_relinked)) {
+            names[n++] = name;
+        }
+    }
+    names[n] = NULL;
+}

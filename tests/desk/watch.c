@@ -46,6 +46,7 @@ typedef struct Watch {
     SavedFiles seen;         // at the last look
     double seen_ms;          // since when they are so
     SavedFiles taken;        // that the last round began with
+    SavedFiles built;        // that the program was made of
     Step step;
     Child child;
     json_t *before, *now;                    // verdicts
@@ -53,14 +54,16 @@ typedef struct Watch {
     News news;
     char keys[8];  // that wait for the round's end
     int n_keys;
+    int has_terminal;  // for keys
     double start_ms, round_ms;
 } Watch;
 
 // ---- Telling ------------------------------------------------------------------------------------
 
-static void keys_print(void)
+static void keys_print(const Watch *watch)
 {
-    printf("   h hint   g grade with new scenes   p first wrong pixel   Enter again   q quit\n");
+    printf("   h hint   g grade with new scenes   %sEnter again   q quit\n",
+           look_can_be_followed(&watch->look) ? "p first wrong pixel   " : "");
     fflush(stdout);
 }
 
@@ -107,9 +110,12 @@ static void start(Watch *watch, Step step, char *const words[])
 
 static void start_compiling(Watch *watch)
 {
+    const char *changed[SAVED_MAX_FILES + 1];
+    saved_to_make(&watch->built, &watch->taken, changed);
+    watch->built = (SavedFiles){0};  // until it has ended well
     fflush(stdout);
     watch->step =
-        look_start_building(&watch->look, &watch->child) == 0 ? STEP_COMPILING : STEP_NONE;
+        look_start_building(&watch->look, changed, &watch->child) == 0 ? STEP_COMPILING : STEP_NONE;
 }
 
 static void start_drawing(Watch *watch)
@@ -150,7 +156,7 @@ static void start_pixel(Watch *watch)
     free(options);
 }
 
-static void round_begin(Watch *watch, const char *why)
+static void round_head_print(Watch *watch, const char *why)
 {
     char time_text[16];
     const time_t now = time(NULL);
@@ -158,6 +164,11 @@ static void round_begin(Watch *watch, const char *why)
     strftime(time_text, sizeof time_text, "%H:%M:%S", localtime_r(&now, &local));
     printf("\n---- %s  %s\n", time_text, why);
     watch->round_ms = stats_clock_ms();
+}
+
+static void round_begin(Watch *watch, const char *why)
+{
+    round_head_print(watch, why);
     replace(&watch->said, strdup(""));
     replace(&watch->changes, strdup(""));
     replace(&watch->command, NULL);
@@ -176,17 +187,19 @@ static double seconds_of_round(const Watch *watch)
 // only say them again.
 static void tell_uncompiled(Watch *watch)
 {
+    watch->look.has_picture = 0;
     printf("   does not compile (%.1f s)\n", seconds_of_round(watch));
     said_print(watch->child.said);
     replace(&watch->said, strdup(watch->child.said));
     publish(watch, message_new("does not compile: not graded until it does"));
     watch->step = STEP_NONE;
-    keys_print();
+    keys_print(watch);
 }
 
 static void compiling_ended(Watch *watch, int status)
 {
     if (status == 0) {
+        watch->built = watch->taken;
         said_print(watch->child.said);
         start_drawing(watch);
     } else {
@@ -215,15 +228,13 @@ static void drawing_ended(Watch *watch, int status, int is_late)
             !look->has_figure ? message_new("compiles, and draws")
             : look->difference.n_different == 0
                 ? message_new("compiles; the picture is as it should be")
-                : message_new("compiles; %d pixels of the picture are wrong, the first is (%d, %d)",
-                              look->difference.n_different, look->difference.first_x,
-                              look->difference.first_y);
+                : message_new(
+                      "compiles; %d pixels differ from the expected picture, the first is (%d, %d)",
+                      look->difference.n_different, look->difference.first_x,
+                      look->difference.first_y);
     }
     printf("   %s (%.1f s)\n", told, seconds_of_round(watch));
     replace(&watch->command, look_command(look));
-    if (watch->command != NULL) {
-        printf("   see why: %s\n", watch->command);
-    }
     publish(watch, message_new("%s; grading", told));
     free(told);
     start_grading(watch, 0);
@@ -244,7 +255,7 @@ static void grading_ended(Watch *watch, int status)
     watch->step = STEP_NONE;
     if (now == NULL) {
         publish(watch, message_new("not graded: see the terminal"));
-        keys_print();
+        keys_print(watch);
         return;
     }
     json_decref(watch->before);
@@ -271,10 +282,17 @@ static void grading_ended(Watch *watch, int status)
         printf("\n   since the last verdict\n");
         said_print(watch->changes);
     }
+    // A picture without an answer is no riddle.
+    if (fault_is_unanswered(results_first_fault(now))) {
+        replace(&watch->command, NULL);
+    }
+    if (watch->command != NULL) {
+        printf("\n   see why: %s\n", watch->command);
+    }
     publish(watch, message_new(status == FULL_MARKS ? "every point, in %.1f s" : "graded in %.1f s",
                                seconds_of_round(watch)));
     printf("\n");
-    keys_print();
+    keys_print(watch);
 }
 
 static void step_ended(Watch *watch, int status)
@@ -291,7 +309,7 @@ static void step_ended(Watch *watch, int status)
         break;
     default:
         watch->step = STEP_NONE;
-        keys_print();
+        keys_print(watch);
     }
 }
 
@@ -328,10 +346,10 @@ static void answer(Watch *watch, char key)
     switch (key) {
     case 'h':
         tell_hint(watch->desk->lab);
-        keys_print();
+        keys_print(watch);
         break;
     case 'g':
-        watch->round_ms = stats_clock_ms();
+        round_head_print(watch, "with new scenes; saves are graded with the others again");
         start_grading(watch, 1);
         break;
     case 'p':
@@ -341,7 +359,7 @@ static void answer(Watch *watch, char key)
         } else {
             printf(
                 "   no wrong pixel of the open scene is known, or this lab has none to follow\n");
-            keys_print();
+            keys_print(watch);
         }
         break;
     case '\n':
@@ -349,9 +367,36 @@ static void answer(Watch *watch, char key)
         round_begin(watch, "again");
         break;
     default:
-        keys_print();
+        keys_print(watch);
     }
     fflush(stdout);
+}
+
+// Keys without Enter and without echo. Returns 1 where there is a terminal, which `before`
+// describes.
+static int terminal_begin(struct termios *before)
+{
+    if (!isatty(STDIN_FILENO) || tcgetattr(STDIN_FILENO, before) != 0) {
+        return 0;
+    }
+    struct termios keys = *before;
+    keys.c_lflag &= (tcflag_t) ~(ICANON | ECHO);
+    return tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;
+}
+
+// Behind Ctrl-Z and fg the shell has set the terminal as it likes it. Returns the signal's number.
+static int signal_read(Watch *watch, int signals)
+{
+    struct signalfd_siginfo heard;
+    if (read(signals, &heard, sizeof heard) != sizeof heard) {
+        return 0;
+    }
+    if (heard.ssi_signo == SIGCONT && watch->has_terminal) {
+        struct termios unused;
+        terminal_begin(&unused);
+        keys_print(watch);
+    }
+    return (int)heard.ssi_signo;
 }
 
 static int is_late(const Watch *watch)
@@ -367,7 +412,12 @@ static void watch_loop(Watch *watch, int signals)
         int status;
         ready[2].fd = watch->child.output;
         poll(ready, 3, LOOK_MS);
-        if (ready[0].revents != 0) {
+        if (ready[0].revents != 0 && signal_read(watch, signals) != SIGCONT) {
+            return;
+        }
+        if (access(watch->look.folder, W_OK) != 0) {
+            child_stop(&watch->child);
+            complain("make watch: %s is gone: start make watch again", watch->look.folder);
             return;
         }
         if (ready[1].revents != 0) {
@@ -397,18 +447,6 @@ static void watch_loop(Watch *watch, int signals)
             answer(watch, key);
         }
     }
-}
-
-// Keys without Enter and without echo. Returns 1 where there is a terminal, which `before`
-// describes.
-static int terminal_begin(struct termios *before)
-{
-    if (!isatty(STDIN_FILENO) || tcgetattr(STDIN_FILENO, before) != 0) {
-        return 0;
-    }
-    struct termios keys = *before;
-    keys.c_lflag &= (tcflag_t) ~(ICANON | ECHO);
-    return tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;
 }
 
 // One watch at a time: two would write one page, and grade into one folder. Returns the descriptor
@@ -452,15 +490,20 @@ int watch_run(const Desk *desk)
     replace(&watch.said, strdup(""));
     replace(&watch.changes, strdup(""));
     sigemptyset(&set);
-    sigaddset(&set, SIGINT), sigaddset(&set, SIGTERM), sigaddset(&set, SIGHUP);
+    sigaddset(&set, SIGINT), sigaddset(&set, SIGTERM), sigaddset(&set, SIGHUP),
+        sigaddset(&set, SIGCONT);
     sigprocmask(SIG_BLOCK, &set, NULL);
     const int signals = signalfd(-1, &set, SFD_CLOEXEC);
-    const int has_terminal = terminal_begin(&before);
+    watch.has_terminal = terminal_begin(&before);
     printf("Watching labs/%s: save a file. Open %s/index.html in a browser.\n", desk->lab->lab,
            watch.look.folder);
     watch_loop(&watch, signals);
     child_stop(&watch.child);
-    if (has_terminal) {
+    if (access(watch.look.folder, W_OK) == 0) {
+        publish(&watch,
+                message_new("the watch has ended; make watch LAB=%.2s goes on", desk->lab->lab));
+    }
+    if (watch.has_terminal) {
         tcsetattr(STDIN_FILENO, TCSANOW, &before);
     }
     printf("\nStopped; what was reached is in make progress.\n");

@@ -84,6 +84,25 @@ static void pictures_write(FILE *page, const News *news)
     fputs("</section>\n", page);
 }
 
+// What ended the whole: a crash, an endless loop.
+static void stages_write(FILE *page, const json_t *results)
+{
+    size_t i;
+    json_t *stage;
+    json_array_foreach(json_object_get(results, "stages"), i, stage)
+    {
+        if (strcmp(text_of(stage, "status"), "failed") == 0) {
+            fputs("<div class=\"check failed\"><span class=\"mark\">&#10007;</span><div>"
+                  "<span class=\"name\">",
+                  page);
+            html_line(page, text_of(stage, "title"));
+            fputs("</span></div><span></span>\n", page);
+            html_message(page, text_of(stage, "message"));
+            fputs("</div>\n", page);
+        }
+    }
+}
+
 // A line a task, and the first fault.
 static void verdict_write(FILE *page, const News *news, const char *report)
 {
@@ -94,16 +113,20 @@ static void verdict_write(FILE *page, const News *news, const char *report)
         return;
     }
     fputs("<section class=\"card stages\">\n", page);
+    stages_write(page, news->results);
     json_array_foreach(json_object_get(news->results, "tasks"), i, task)
     {
         const int points = number_of(task, "points"), most = number_of(task, "max_points");
-        const int is_first = strcmp(text_of(fault, "task"), text_of(task, "id")) == 0;
+        const int is_first =
+            strcmp(text_of(fault, "task"), text_of(task, "id")) == 0 && !fault_is_unanswered(fault);
         fprintf(page,
                 "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
                 points == most ? "passed"
                 : is_first     ? "failed"
                                : "not-run",
-                points == most ? "&#10003;" : "&#10007;");
+                points == most ? "&#10003;"
+                : is_first     ? "&#10007;"
+                               : "&ndash;");
         html_line(page, text_of(task, "title"));
         fputs("</span> <code class=\"id\">", page);
         html_line(page, text_of(task, "id"));
