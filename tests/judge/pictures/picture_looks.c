@@ -83,23 +83,26 @@ static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Mist
     return tally;
 }
 
-// Is every wrong pixel background? Many a mistake loses what should be drawn.
+// Is nearly all lost that should be drawn, and nothing else wrong? Many a mistake leaves that.
 static int is_lost(ProbeImage own, const ExpectedPicture *expected)
 {
-    int i = 0;
-    for (; i < expected_n_pixels(expected); i++) {
+    int n_drawn = 0, n_lost = 0;
+    for (int i = 0; i < expected_n_pixels(expected); i++) {
         const PixelPair pixel = pixel_pair(own, expected, i);
-        if (!is_same_color(pixel.own, pixel.wanted, pixel.tolerance) &&
-            !is_same_color(pixel.own, expected->background, 0)) {
-            break;
+        const int is_background = is_same_color(pixel.own, expected->background, 0);
+        const int is_wrong = !is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
+        if (is_wrong && !is_background) {
+            return 0;
         }
+        n_drawn += !is_same_color(pixel.wanted, expected->background, 0);
+        n_lost += is_wrong;
     }
-    return i == expected_n_pixels(expected);
+    return 10 * n_lost >= 9 * n_drawn;
 }
 
 // The scene's mistake that the picture looks like: the first that it is to the last pixel, or where
-// it is none, the first that it resembles. Two may resemble it where a picture is sparse. What is
-// lost tells nothing where two mistakes lose the same.
+// it is none, the first that it resembles. Two may resemble it where a picture is sparse. Where
+// nearly all is lost, nothing is known if two mistakes lose the same.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     MistakenPictures *known = expected->mistaken;

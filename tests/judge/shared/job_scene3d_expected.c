@@ -59,7 +59,8 @@ static const Mistake3D mistakes[] = {
     // and of colours.
     {{.says = "drawn with normals that point away from the centre, seen from inside, too"},
      {.normal_not_turned = 1}},
-    {{.says = "drawn with normals that point into the spheres"}, {.normal_always_turned = 1}},
+    {{.says = "drawn with the far sides lit: normals, or the ways to lights, are turned round"},
+     {.normal_always_turned = 1}},
     {{.says = "drawn with normals that are not unit vectors"}, {.normal_not_normalised = 1}},
     {{.says =
           "drawn as if a light behind the surface took light away: negative cosines count as 0"},
