@@ -35,8 +35,8 @@ const char *look_options(const Look *look);
 int look_start_building(const Look *look, const char *const *changed, Child *child);
 int look_start_drawing(const Look *look, Child *child);
 
-// The program has ended well: is there a picture? Then hold it against the figure, and save what they differ in. With options of
-// the student's own there is nothing to hold it against.
+// The program has ended well: is there a picture? Then hold it against the figure, and save what
+// they differ in. With options of the student's own there is nothing to hold it against.
 void look_compare(Look *look);
 
 // Can a pixel of this lab be followed, by make pixel?

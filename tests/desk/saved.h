@@ -23,8 +23,8 @@ void saved_look(const char *folder, SavedFiles *files);
 // Write the names of those that differ into a line: "a.c, b.cl". Returns `line`.
 char *saved_changes(const SavedFiles *before, const SavedFiles *now, char *line, int n_bytes);
 
-// What make has to make anew, whatever the files' times say: the C files and headers that differ, and
-// main.c where a file is gone or new.
+// What make has to make anew, whatever the files' times say: the C files and headers that differ,
+// and main.c where a file is gone or new.
 //   names   out: NULL-terminated; they live as long as `now`
 void saved_to_make(const SavedFiles *before, const SavedFiles *now,
                    const char *names[SAVED_MAX_FILES + 1]);

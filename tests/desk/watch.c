@@ -225,7 +225,8 @@ static void drawing_ended(Watch *watch, int status, int is_late)
     } else {
         look_compare(look);
         told =
-            !look->has_figure ? message_new("compiles, and draws")
+            !look->has_picture  ? message_new("compiles, but ends without a picture")
+            : !look->has_figure ? message_new("compiles, and draws")
             : look->difference.n_different == 0
                 ? message_new("compiles; the picture is as it should be")
                 : message_new(

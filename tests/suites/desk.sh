@@ -112,6 +112,46 @@ ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
 check "what was reached is noted" says "100/100" make -s progress
 heart_ends
 
+# ---- A host file ------------------------------------------------------------------------------------
+
+# begin_watch LAB: in a place of its own.
+begin_watch() {
+    : >"$log"
+    build/tools/desk watch --lab "$1" <keys >"$log" 2>&1 &
+    watch=$!
+    exec 3>keys
+    await done_after 0
+}
+end_watch() {
+    printf q >&3
+    wait "$watch"
+}
+host=labs/00-hello-pixels/render.c
+cp solutions/00-hello-pixels/gradient.cl labs/00-hello-pixels/
+cp solutions/00-hello-pixels/render.c "$host"
+begin_watch 00-hello-pixels
+check "a lab of host files is watched" last "the picture is as it should be"
+touch -d '2 days ago' "$scratch/older"
+sed 's/^    \/\/ TASK read_back.*/    exit(0);\n&/' "$host" >"$scratch/exits.c"
+touch -r "$scratch/older" "$scratch/exits.c"
+saved cp -p "$scratch/exits.c" "$host"
+check "a file with an older time is compiled, too" last "ends without a picture"
+check "and the page shows why it ended" grep -q "it ended by itself" build/watch/index.html
+saved mv "$host" "$scratch/away.c"
+check "a file that is gone is no program of before" last "does not compile"
+saved mkdir "$host"
+check "nor is a folder in its place" last "does not compile"
+rmdir "$host"
+saved cp solutions/00-hello-pixels/render.c "$host"
+check "it goes on when the file is back" last "Score 100/100"
+end_watch
+check "the page says that the watch has ended" grep -q "the watch has ended" build/watch/index.html
+begin_watch 00-hello-pixels
+mv build/watch "$scratch/gone"
+wait "$watch"
+check "without its folder it ends" last "is gone: start make watch again"
+mv "$scratch/gone" build/watch
+
 # ---- A wrong pixel ----------------------------------------------------------------------------------
 
 last_missing
