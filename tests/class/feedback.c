@@ -193,8 +193,8 @@ static int zip_put(Giving *giving, const char *from, const char *name)
     return failed ? -1 : 1;
 }
 
-// "Ada Lovelace_1234567_assignsubmission_file_/report.html": Moodle parts it at its underscores, and
-// takes the second part for the participant's number (importziplib.php).
+// "Ada Lovelace_1234567_assignsubmission_file_/report.html": Moodle parts it at its underscores,
+// and takes the second part for the participant's number (importziplib.php).
 static int give_to_moodle(Giving *giving, const Parcel *parcel)
 {
     char plain[NAME_BYTES], from[PATH_MAX], name[PATH_MAX];
@@ -209,8 +209,9 @@ static int give_to_moodle(Giving *giving, const Parcel *parcel)
     return zip_put(giving, from, name);
 }
 
-// "lovelaceada_40012_880036_report.html": Canvas takes the first two numbers for those of the student
-// and of a file that the student handed in (generate_comments_from_files). Both are in the entry.
+// "lovelaceada_40012_880036_report.html": Canvas takes the first two numbers for those of the
+// student and of a file that the student handed in (generate_comments_from_files). Both are in the
+// entry.
 static int give_to_canvas(Giving *giving, const Parcel *parcel)
 {
     char from[PATH_MAX], name[PATH_MAX];
