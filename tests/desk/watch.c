@@ -100,6 +100,26 @@ static void said_print(const char *said)
     }
 }
 
+// Keep of what was said the compiler's words: make's own lines are no news.
+static void keep_compilers_words(char *said)
+{
+    static const char *const own[] = {"make", "  compile ", "  link "};
+    char *kept = said;
+    for (const char *line = said; *line != '\0';) {
+        const size_t length = strcspn(line, "\n") + (strchr(line, '\n') != NULL);
+        int is_own = 0;
+        for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
+            is_own |= strncmp(line, own[i], strlen(own[i])) == 0;
+        }
+        if (!is_own) {
+            memmove(kept, line, length);
+            kept += length;
+        }
+        line += length;
+    }
+    *kept = '\0';
+}
+
 // ---- Steps --------------------------------------------------------------------------------------
 
 static void start(Watch *watch, Step step, char *const words[])
@@ -198,6 +218,7 @@ static void tell_uncompiled(Watch *watch)
 
 static void compiling_ended(Watch *watch, int status)
 {
+    keep_compilers_words(watch->child.said);
     if (status == 0) {
         watch->built = watch->taken;
         said_print(watch->child.said);
