@@ -1,7 +1,7 @@
 #!/bin/sh
 # attack: gives up after eight nodes, and makes a macro of the function by which the probe lets more of them wait
 # task: next_tile_waiting
-# named: found
+# named: your code ends the search
 # score: 83
 cat >body <<'CL'
     for (int i = 0; i < 8 && todo->n > 0; i++) {
