@@ -56,7 +56,7 @@ copy_lab solutions $lab
 echo '    return ((volatile global int *)0)[x] + circle.r + y + minDepth > 0;' |
     answer overlaps_N_Nearer.cl overlaps_N_Nearer
 broken "a kernel that crashes costs its task" 60
-check "and the message names the function" holds "where: in overlaps_N_Nearer, with one of "
+check "and the message names the function and the input" holds "where: in overlaps_N_Nearer, input "
 
 copy_lab solutions $lab
 {
