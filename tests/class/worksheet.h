@@ -6,11 +6,10 @@
 #define CLASS_WORKSHEET_H
 
 #include "gradebook.h"
-
-enum { WORKSHEET_MAX_COLUMNS = 64, WORKSHEET_MAX_BYTES = 16 * 1024 * 1024 };
+#include "sheet.h"
 
 typedef struct Participant {
-    char *cells[WORKSHEET_MAX_COLUMNS];
+    char *cells[SHEET_MAX_COLUMNS];
     const Row *row;    // the student's entry that counts, or NULL: none, or not for certain
     int is_nobody;     // the line is about no person
     int is_contested;  // entries of two names fit: then none counts
