@@ -188,8 +188,8 @@ static int line_read(Corrections *corrections, const Manifest *manifest, const G
     }
     const int taken = result == 0 ? is_taken(corrections, correction) : 0;
     if (taken > 0) {
-        result = fault(corrections, correction->line, "line %d changes the same points already",
-                       taken);
+        result =
+            fault(corrections, correction->line, "line %d changes the same points already", taken);
     }
     return result != 0 ? -1 : 0;
 }
@@ -214,8 +214,8 @@ int corrections_load(const char *path, const char *lab, const Gradebook *gradebo
     }
     for (int i = 1; result == 0 && i < sheet->n_lines; i++) {
         if (!sheet_line_is_empty(sheet, &sheet->lines[i])) {
-            result = line_read(corrections, &manifest, gradebook, worksheet, &sheet->lines[i],
-                               columns);
+            result =
+                line_read(corrections, &manifest, gradebook, worksheet, &sheet->lines[i], columns);
         }
     }
     manifest_free(&manifest);
@@ -261,8 +261,7 @@ static int change_find(const Corrections *corrections, const Gradebook *gradeboo
     }
     correction->before =
         correction->check != NULL ? row->check_points[column] : row->points[column];
-    correction->after =
-        correction->points + (correction->is_relative ? correction->before : 0);
+    correction->after = correction->points + (correction->is_relative ? correction->before : 0);
     if (correction->after < 0 || correction->after > correction->max_points) {
         return fault(corrections, correction->line, "%+d to the %d points of %s is not in 0 to %d",
                      correction->points, correction->before, id, correction->max_points);

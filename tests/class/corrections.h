@@ -9,18 +9,18 @@
 
 // A line of the file: student, task (or a check's id), points, comment, until.
 typedef struct Correction {
-    int line;             // in the file, the head being line 1
-    int row;              // whose it is: an index into gradebook->rows
-    char *task;           // a task's id; NULL: only a comment or an extension
-    char *check;          // of that task; NULL: the task as a whole
-    int max_points;       // of the check or the task
-    int has_points;       // is a number of points given?
-    int is_relative;      // "+5", "-5"
-    int points;           // as given
-    int is_applied;       // the row's points are changed; else there were none to change
-    int before, after;    // then: of the check or the task
-    char *comment;        // fit for one line, or ""
-    const char *until;    // an extension's last day, "2026-12-24", or ""
+    int line;           // in the file, the head being line 1
+    int row;            // whose it is: an index into gradebook->rows
+    char *task;         // a task's id; NULL: only a comment or an extension
+    char *check;        // of that task; NULL: the task as a whole
+    int max_points;     // of the check or the task
+    int has_points;     // is a number of points given?
+    int is_relative;    // "+5", "-5"
+    int points;         // as given
+    int is_applied;     // the row's points are changed; else there were none to change
+    int before, after;  // then: of the check or the task
+    char *comment;      // fit for one line, or ""
+    const char *until;  // an extension's last day, "2026-12-24", or ""
 } Correction;
 
 typedef struct Corrections {

@@ -207,7 +207,9 @@ static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradeb
         }
         empty_write(file, worksheet->n_columns);
         row_write(file, gradebook, &gradebook->rows[i],
-                  entered->why_not != NULL ? entered->why_not : "");
+                  entered->why_not != NULL    ? entered->why_not
+                  : entered->left_out != NULL ? entered->left_out
+                                              : "");
         if (entered->why_not != NULL) {
             complain("gradebook: %s: not entered: \"%s\": %s", worksheet->path, entrant->entry,
                      entered->why_not);

@@ -7,7 +7,7 @@
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] FOLDER
 //     gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER
 //
-//     LIST: --moodle WORKSHEET.csv, --changes CHANGES.csv
+//     LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -22,6 +22,7 @@
 #include "clean_text.h"
 #include "complain.h"
 #include "corrections.h"
+#include "decisions.h"
 #include "export_archive.h"
 #include "feedback.h"
 #include "gradebook.h"
@@ -47,7 +48,7 @@ static int usage(void)
           "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
           "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] FOLDER\n"
           "       gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER\n"
-          "LIST: --moodle WORKSHEET.csv, --changes CHANGES.csv\n",
+          "LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv\n",
           stderr);
     return EXIT_FAULT;
 }
@@ -128,8 +129,9 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
 }
 
 // How the class did, for the terminal. The last line counts everybody.
+//   n_open   how many entries who.csv offers to decide
 static void summary_print(const Gradebook *gradebook, const LookAlikes *look_alikes,
-                          const Tally *tally)
+                          const Tally *tally, int n_open)
 {
     const char *folder = gradebook->folder;
     double sum = 0;
@@ -161,6 +163,11 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
     faults_print(gradebook, folder);
     look_alikes_print(look_alikes);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
+    if (n_open > 0) {
+        printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
+               "WHO=%s/who.csv\n",
+               n_open, folder, folder);
+    }
     tally_write(stdout, tally);
     printf(": see %s/class.html\n", folder);
 }
@@ -168,7 +175,7 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
 // ---- A class with the instructor's lists ------------------------------------------------------
 
 typedef struct ListPaths {
-    const char *worksheet, *changes, *against;  // each NULL where it was not given
+    const char *worksheet, *who, *changes, *against;  // each NULL where it was not given
 } ListPaths;
 
 typedef struct Class {
@@ -199,8 +206,13 @@ static int class_load(const char *folder, const char *lab, const ListPaths *path
     if (lab != NULL) {
         outdated_drop(gradebook);
     }
+    if (paths->who != NULL && paths->worksheet == NULL) {
+        complain("gradebook: %s: found no list of participants beside it, expected MOODLE=",
+                 paths->who);
+        return -1;
+    }
     if (paths->worksheet != NULL) {
-        if (worksheet_load(paths->worksheet, gradebook, &class->worksheet) != 0) {
+        if (worksheet_load(paths->worksheet, paths->who, gradebook, &class->worksheet) != 0) {
             return -1;
         }
         class->list = &class->worksheet;
@@ -225,7 +237,7 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
 {
     Class class = {0};
     int result = paths->against != NULL ? gradebook_check_old(paths->against, lab) : 0;
-    if (result == 0 && (paths->worksheet != NULL || paths->changes != NULL)) {
+    if (result == 0 && (paths->worksheet != NULL || paths->who != NULL || paths->changes != NULL)) {
         result = class_load(folder, lab, paths, &class);
     }
     class_free(&class);
@@ -241,15 +253,17 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, T
     path_make(json, "%s/gradebook.json", folder);
     path_make(page, "%s/class.html", folder);
     LookAlikes look_alikes;
+    int n_open = 0;
     if (look_alikes_find(gradebook, &look_alikes) != 0) {
         return -1;
     }
     *tally = tally_count(gradebook, worksheet, look_alikes.n_groups);
     const int failed = gradebook_csv(gradebook, csv, worksheet) != 0 ||
                        gradebook_json(gradebook, json) != 0 ||
-                       gradebook_page(gradebook, page, worksheet) != 0;
+                       gradebook_page(gradebook, page, worksheet) != 0 ||
+                       (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
     if (!failed) {
-        summary_print(gradebook, &look_alikes, tally);
+        summary_print(gradebook, &look_alikes, tally, n_open);
     }
     look_alikes_free(&look_alikes);
     return failed ? -1 : 0;
@@ -296,11 +310,12 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 7 };
+    enum { SEED = 1, N_ROWS = 8 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.worksheet)},
+        {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
         {.name = "against", .argument = "OLD", .place = PLACE(paths.against)},
         {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},

@@ -2,7 +2,9 @@
 #include "worksheet.h"
 
 #include "complain.h"
+#include "decisions.h"
 #include "owners.h"
+#include "participant_fit.h"
 #include "sheet_number.h"
 
 #include <stdlib.h>
@@ -95,7 +97,23 @@ static int maxima_check(const Worksheet *worksheet)
     return 0;
 }
 
-int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet)
+static int decisions_take(Worksheet *worksheet, const char *path, const Gradebook *gradebook)
+{
+    Decisions decisions;
+    if (decisions_load(path, gradebook, worksheet, &decisions) != 0) {
+        return -1;
+    }
+    worksheet->decisions = malloc(sizeof decisions);
+    if (worksheet->decisions == NULL) {
+        decisions_free(&decisions);
+        return fault(path, "out of memory");
+    }
+    *worksheet->decisions = decisions;
+    return 0;
+}
+
+int worksheet_load(const char *path, const char *decisions, const Gradebook *gradebook,
+                   Worksheet *worksheet)
 {
     *worksheet = (Worksheet){.path = path};
     worksheet->n_rows = gradebook->n_rows;
@@ -109,7 +127,9 @@ int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *work
     }
     worksheet->grade_column = worksheet_column(worksheet, grade_titles);
     worksheet->maximum_column = worksheet_column(worksheet, maximum_titles);
-    if (maxima_check(worksheet) != 0) {
+    worksheet->has_one_domain = has_one_domain(worksheet);
+    if (maxima_check(worksheet) != 0 ||
+        (decisions != NULL && decisions_take(worksheet, decisions, gradebook) != 0)) {
         worksheet_free(worksheet);
         return -1;
     }
@@ -132,6 +152,10 @@ void worksheet_free(Worksheet *worksheet)
         free(worksheet->entered[i].why_not);
     }
     free(worksheet->entered);
+    if (worksheet->decisions != NULL) {
+        decisions_free(worksheet->decisions);
+        free(worksheet->decisions);
+    }
     *worksheet = (Worksheet){0};
 }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What an instructor decides for a class by hand: corrections (CHANGES=). They are shown as what they are,
-# outlive a new grading, and are refused before anything is graded where they are not clear.
+# What an instructor decides for a class by hand: corrections (CHANGES=), and whose an entry is (WHO=). Both are
+# shown as what they are, outlive a new grading, and are refused before anything is graded where they are not clear.
 #
 #     sh tests/suites/corrections.sh      from the top folder, after `make tests`
 set -u
@@ -165,5 +165,112 @@ check "more than a task has, as it is graded" exits 2 corrected --again 1
 check "is refused" said "changes.csv: line 3: +1 to the 40 points of gradient is not in 0 to 40"
 check "before anything is graded" test "$(n_graded "$out")" -eq "$before"
 check "and the gradebook is as it was" cmp "$scratch/before.csv" "$out/gradebook.csv"
+
+# ---- Whose it is ---------------------------------------------------------------------------------
+
+class=$scratch/whose
+out=$scratch/whose.out
+for entry in "Ada Lovelace_21_assignsubmission_file_" bobby "=1+1" "carol-2" carol spam "Team X"; do
+    mkdir -p "$class/$entry"
+done
+cat >"$scratch/list.csv" <<'END'
+Identifier,"Full name","Email address",Username,Grade
+"Participant 21","Ada Lovelace",a1@example.org,ada,
+"Participant 23","Bob Ross",bob@example.org,bob,
+"Participant 24","Carol Shaw",cs@example.org,carol,
+"Participant 25","Erin Doe",erin@example.org,erin,
+"Participant 26","Ada Lovelace",a2@example.org,ada2,
+END
+decided() { run "$out" --moodle "$scratch/list.csv" --who "$scratch/who.csv" "$@"; }
+# who LINE...: a file of decisions.
+who() {
+    echo entry,student,counts >"$scratch/who.csv"
+    [ $# -eq 0 ] || printf '%s\n' "$@" >>"$scratch/who.csv"
+}
+# entered PARTICIPANT NAME GRADE: is the entry of this name the participant's?
+# shellcheck disable=SC2317 # called by check
+entered() {
+    grep "^\"$1\"," "$out/gradebook.csv" | grep -qF "\"$3\",\"$2\"," || { cat "$out/gradebook.csv"; return 1; }
+}
+
+# unclear WORDS LINE...: such decisions end the run with this message before anything is graded.
+# shellcheck disable=SC2317 # called by check
+unclear() {
+    words=$1
+    shift
+    who "$@"
+    exits 2 decided && said "who.csv: $words" && test ! -e "$out/joblog" &&
+        test "$(grep -c who.csv "$scratch/said")" -eq 1 && test ! -e "$out/gradebook.csv"
+}
+check "an entry that is none" unclear 'line 3: found the entry "bobo", expected an "entry" or "id"' \
+    "bobby,Bob Ross," "bobo,Bob Ross,"
+check "a student that is none" unclear 'line 2: found the student "Bob Rosso"' "bobby,Bob Rosso,"
+check "a student of two lines" unclear \
+    'line 2: "Ada Lovelace" fits 2 lines of the list of participants, among them 2 and 6' "bobby,Ada Lovelace,"
+check "an answer that is none" unclear 'line 2: found "maybe" in the column "counts"' "bobby,Bob Ross,maybe"
+check "yes to nobody" unclear 'line 2: found no student beside "yes", expected one' "bobby,,yes"
+check "no to nobody" unclear 'line 2: found no student beside "no", expected one' "bobby,,no"
+check "a student to be ignored" unclear 'line 2: found a student beside "ignore", expected none' "bobby,bob,ignore"
+check "one entry both ways" unclear 'line 3: line 2 decides about the same entry already' "bobby,bob,yes" "bobby,,ignore"
+check "two entries of one student" unclear 'line 3: line 2 gives the same student another entry' "bobby,bob," "spam,bob,yes"
+printf 'entry,counts\n' >"$scratch/who.csv"
+check "no column of students" exits 2 decided
+check "is named" said 'who.csv: line 1: found no column "student"'
+who "bobby,bob,"
+check "decisions without a list" exits 2 run "$out" --who "$scratch/who.csv"
+check "are refused" said "who.csv: found no list of participants beside it, expected MOODLE="
+
+check "without decisions" exits 1 run "$out" --moodle "$scratch/list.csv"
+check "five are to be decided" said "5 to be decided by you"
+check "and a file is offered" said "write the student of each of 5 into $out/who.csv"
+check "with a line for each, and the reason" test "$(grep -c 'fits no line of the list' "$out/who.csv")" -eq 5
+# shellcheck disable=SC2016 # for the inner shell
+check "in which no cell is a formula" sh -c '! grep -E "(^|[,;|	])[\" ]*=" "$1"' - "$out/who.csv"
+check "and nothing is decided" test "$(grep -c ',"","",' "$out/who.csv")" -eq 5
+check "it is offered again as long as nothing is in it" exits 1 \
+    run "$out" --moodle "$scratch/list.csv" --who "$out/who.csv"
+check "with all of them" test "$(wc -l <"$out/who.csv")" -eq 6
+
+# As an instructor fills it in.
+slug=$(sed -n 's/^"\(bobby-[^"]*\)".*/\1/p' "$out/who.csv")
+sed -i 's/^\("bobby-[^"]*"\),"","",/\1,"bob@example.org","",/; s/^\("spam-[^"]*"\),"","",/\1,"","ignore",/
+    s/^\("carol-2-[^"]*"\),"","",/\1,"Carol Shaw","no",/' "$out/who.csv"
+check "a file with decisions that is not given" exits 1 run "$out" --moodle "$scratch/list.csv"
+check "is left as it is" said "who.csv: has decisions of yours, so it is not written anew"
+check "and still has them" grep -q '"ignore"' "$out/who.csv"
+check "given" exits 1 run "$out" --moodle "$scratch/list.csv" --who "$out/who.csv"
+check "the last line counts them" said \
+    "3 of 7 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 2 left out by you; 2 to be decided by you"
+check "an entry is a participant's" entered "Participant 23" bobby 100.00
+check "what does not count is not in the way of what does" entered "Participant 24" carol 100.00
+check "who is not decided has none" grep -q '^"Participant 25",.*"not entered"' "$out/gradebook.csv"
+check "what is left out stands below the list" grep -q '^,,,,,"spam",.*,"ignored, as you decided"$' "$out/gradebook.csv"
+check "and so does what does not count" grep -q \
+    '^,,,,,"carol-2",.*,"another submission counts, as you decided"$' "$out/gradebook.csv"
+check "the file keeps what is decided" grep -q "^\"$slug\",\"bob@example.org\",\"yes\",\"bobby\",\"decided\"\$" "$out/who.csv"
+check "and has what is left" test "$(grep -c ',"","",' "$out/who.csv")" -eq 2
+printf 'student,task,points\nParticipant 23,gradient,0\nBob Ross,set_arguments,1\n' >"$scratch/changes.csv"
+check "corrections name the participant, by number or name" exits 1 \
+    run "$out" --moodle "$scratch/list.csv" --who "$out/who.csv" --changes "$scratch/changes.csv"
+check "and are the participant's" entered "Participant 23" bobby 41.00
+
+# All decided; one entry for two.
+sed -i "s/^\\(\"team-x-[^\"]*\"\\),\"\",\"\",/\\1,erin,yes,/; s/^\\(\"1-1-[^\"]*\"\\),\"\",\"\",/\\1,,ignore,/" "$out/who.csv"
+sed -n 's/^\("team-x-[^"]*"\),.*/\1,Participant 26,yes,,/p' "$out/who.csv" >>"$out/who.csv"
+check "all decided" exits 0 run "$out" --moodle "$scratch/list.csv" --who "$out/who.csv"
+check "nothing is left" said \
+    "4 of 7 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 3 left out by you; 0 to be decided by you"
+check "of a team both have it" entered "Participant 25" "Team X" 100.00
+check "each" entered "Participant 26" "Team X" 100.00
+cp "$out/gradebook.csv" "$scratch/before.csv"
+check "graded anew" exits 0 run "$out" --moodle "$scratch/list.csv" --who "$out/who.csv" --again 1
+check "it is the same" cmp "$scratch/before.csv" "$out/gradebook.csv"
+check "a report goes to whom it was decided for" sh -c "'$build/tools/gradebook' feedback --moodle '$scratch/list.csv' \
+    --who '$out/who.csv' moodle '$out' && unzip -l '$out/feedback-moodle.zip' | grep -q 'Bob Ross_23_'"
+
+# What is decided and what fits by itself: one of them has to be decided away.
+who "bobby,ada,yes"
+check "a decision against a name that fits" exits 1 decided
+check "enters neither" said 'not entered: "bobby": line 2 of the list also fits "Ada Lovelace_21_assignsubmission_file_"'
 
 finish
