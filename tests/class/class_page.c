@@ -5,6 +5,7 @@
 // folder, so that the folder can be moved as a whole. Read next: class_page.h, its parts.
 #include "class_page.h"
 
+#include "corrections.h"
 #include "html.h"
 #include "output_file.h"
 #include "tally.h"
@@ -224,6 +225,9 @@ static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
     if (row->status == ROW_OUTDATED) {
         fputs(" <span class=\"soft\">outdated</span>", page);
     }
+    if (corrections_has(gradebook, row)) {
+        fputs(" <a class=\"soft\" href=\"#corrections\">corrected</a>", page);
+    }
     fprintf(page, "</td><td class=\"number\"><b>%d</b> / %d", row->score, gradebook->max_score);
     html_score_bar(page, row->score, gradebook->max_score);
     fputs("</td>", page);
@@ -281,6 +285,7 @@ static void page_write(FILE *page, const Gradebook *gradebook, const Failures *f
     passed_over_write(page, &gradebook->roster);
     not_graded_write(page, gradebook);
     class_look_alikes_write(page, look_alikes);
+    class_corrections_write(page, gradebook);
     class_changes_write(page, gradebook);
     class_failures_write(page, failures);
     class_checks_write(page, gradebook);

@@ -19,6 +19,9 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook);
 // Whose score is not what it was in the older gradebook.
 void class_changes_write(FILE *page, const Gradebook *gradebook);
 
+// What the instructor has corrected by hand.
+void class_corrections_write(FILE *page, const Gradebook *gradebook);
+
 // Who failed alike.
 void class_failures_write(FILE *page, const Failures *failures);
 

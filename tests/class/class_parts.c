@@ -2,6 +2,7 @@
 // class_page.h).
 #include "class_page.h"
 
+#include "corrections.h"
 #include "html.h"
 
 #include <string.h>
@@ -135,6 +136,24 @@ void class_changes_write(FILE *page, const Gradebook *gradebook)
         }
     }
     fputs("</div>\n", page);
+}
+
+// ---- Corrections -----------------------------------------------------------------------------
+
+void class_corrections_write(FILE *page, const Gradebook *gradebook)
+{
+    const Corrections *corrections = gradebook->corrections;
+    if (corrections == NULL || corrections->n == 0) {
+        return;
+    }
+    fputs("<h2 class=\"section\" id=\"corrections\">Corrections by hand</h2>\n"
+          "<p class=\"soft\">All scores on this page contain them. The students' reports do not: "
+          "<code>make feedback</code> adds them to the copies that it gives back.</p>\n"
+          "<div class=\"card\"><table><thead><tr><th>Submission</th><th>Change</th>"
+          "<th>Comment</th><th>More time until</th></tr></thead><tbody>\n",
+          page);
+    corrections_rows_write(page, gradebook, NULL);
+    fputs("</tbody></table></div>\n", page);
 }
 
 // ---- The same failure ------------------------------------------------------------------------

@@ -5,12 +5,13 @@
 #include "feedback.h"
 
 #include "complain.h"
+#include "corrections.h"
 #include "csv_cell.h"
 #include "folder.h"
 #include "output_file.h"
 #include "participant_fit.h"
 #include "path.h"
-#include "workshop_files.h"
+#include "text_file.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -49,6 +50,10 @@ char *feedback_comment(const Gradebook *gradebook, const Row *row)
     }
     if (row->fault != NULL) {
         fprintf(text, ". First fault: %s: %s", row->fault, row->fault_message);
+    }
+    if (corrections_has(gradebook, row)) {
+        fputs(". Corrected by hand: ", text);
+        corrections_write(text, gradebook, row);
     }
     fclose(text);
     return comment;
@@ -161,35 +166,100 @@ static int all_hand(Giving *giving, const Worksheet *worksheet)
     return result;
 }
 
+// ---- Reports ------------------------------------------------------------------------------------
+
+// The section that a corrected report gets behind its head.
+static void corrections_section_write(FILE *report, const Gradebook *gradebook, const Row *row)
+{
+    fputs("<section id=\"corrections\"><h2 class=\"section\">Corrected by hand</h2>\n<p>", report);
+    if (row->score != row->graded_score) {
+        fprintf(report, "%d of %d points instead of %d. ", row->score, gradebook->max_score,
+                row->graded_score);
+    }
+    fputs("What follows is the grader's report.</p>\n<div class=\"card\"><table><thead><tr>"
+          "<th>Change</th><th>Comment</th><th>More time until</th></tr></thead><tbody>\n",
+          report);
+    corrections_rows_write(report, gradebook, row);
+    fputs("</tbody></table></div></section>\n", report);
+}
+
+// A row's report with its corrections: the bytes and how many, owned by the caller. NULL after one
+// message.
+static char *report_read(const Giving *giving, const Row *row, size_t *n_bytes)
+{
+    char path[PATH_MAX];
+    report_path(giving, row, path);
+    char *report = text_file_read(path);
+    if (report == NULL) {
+        return NULL;
+    }
+    *n_bytes = strlen(report);
+    // Names and messages are escaped in a report: the first such mark is the grader's own.
+    static const char head_end[] = "</header>\n";
+    const char *rest = strstr(report, head_end);
+    if (!corrections_has(giving->gradebook, row) || rest == NULL) {
+        return report;
+    }
+    rest += sizeof head_end - 1;
+    char *corrected = NULL;
+    FILE *stream = open_memstream(&corrected, n_bytes);
+    if (stream != NULL) {
+        fwrite(report, 1, (size_t)(rest - report), stream);
+        corrections_section_write(stream, giving->gradebook, row);
+        fputs(rest, stream);
+        fclose(stream);
+    }
+    free(report);
+    if (corrected == NULL) {
+        complain("gradebook: %s: out of memory", path);
+    }
+    return corrected;
+}
+
+// Returns 0, or -1 after one message.
+static int report_copy(const Giving *giving, const Row *row, const char *to)
+{
+    size_t n_bytes;
+    OutputFile output;
+    char *report = report_read(giving, row, &n_bytes);
+    int result = report != NULL ? output_file_open(&output, to) : -1;
+    if (result == 0) {
+        fwrite(report, 1, n_bytes, output.file);
+        result = output_file_commit(&output);
+    }
+    free(report);
+    return result;
+}
+
 // ---- Archives -----------------------------------------------------------------------------------
 
-// Put a file of ours into the archive. Returns 1, or -1 after one message.
-static int zip_put(Giving *giving, const char *from, const char *name)
+// Put a row's report into the archive. Returns 1, or -1 after one message.
+static int zip_put(Giving *giving, const Row *row, const char *name)
 {
-    struct archive_entry *entry = archive_entry_new();
-    FILE *file = fopen(from, "rb");
+    size_t n_bytes;
+    char from[PATH_MAX];
     struct stat status;
-    int failed = entry == NULL || file == NULL || fstat(fileno(file), &status) != 0;
+    report_path(giving, row, from);
+    char *report = report_read(giving, row, &n_bytes);
+    if (report == NULL) {
+        return -1;
+    }
+    struct archive_entry *entry = archive_entry_new();
+    int failed = entry == NULL || stat(from, &status) != 0;
     if (!failed) {
         archive_entry_set_pathname(entry, name);
-        archive_entry_set_size(entry, status.st_size);
+        archive_entry_set_size(entry, (la_int64_t)n_bytes);
         archive_entry_set_filetype(entry, AE_IFREG);
         archive_entry_set_perm(entry, 0644);
         archive_entry_set_mtime(entry, status.st_mtime, 0);
-        failed = archive_write_header(giving->zip, entry) != ARCHIVE_OK;
-    }
-    char bytes[65536];
-    size_t n;
-    while (!failed && (n = fread(bytes, 1, sizeof bytes, file)) > 0) {
-        failed = archive_write_data(giving->zip, bytes, n) != (la_ssize_t)n;
+        failed = archive_write_header(giving->zip, entry) != ARCHIVE_OK ||
+                 archive_write_data(giving->zip, report, n_bytes) != (la_ssize_t)n_bytes;
     }
     if (failed) {
         complain("gradebook: %s: cannot be packed: %s", from, strerror(errno));
     }
-    if (file != NULL) {
-        fclose(file);
-    }
     archive_entry_free(entry);
+    free(report);
     return failed ? -1 : 1;
 }
 
@@ -197,16 +267,15 @@ static int zip_put(Giving *giving, const char *from, const char *name)
 // and takes the second part for the participant's number (importziplib.php).
 static int give_to_moodle(Giving *giving, const Parcel *parcel)
 {
-    char plain[NAME_BYTES], from[PATH_MAX], name[PATH_MAX];
+    char plain[NAME_BYTES], name[PATH_MAX];
     const char *digits = parcel->number + strcspn(parcel->number, "0123456789");
     if (*digits == '\0' || digits[strspn(digits, "0123456789")] != '\0') {
         return 0;
     }
     plain_name(parcel->name, plain);
-    report_path(giving, parcel->row, from);
     path_make(name, "%s_%s_assignsubmission_file_/report.html", plain[0] != '\0' ? plain : "x",
               digits);
-    return zip_put(giving, from, name);
+    return zip_put(giving, parcel->row, name);
 }
 
 // "lovelaceada_40012_880036_report.html": Canvas takes the first two numbers for those of the
@@ -214,7 +283,7 @@ static int give_to_moodle(Giving *giving, const Parcel *parcel)
 // entry.
 static int give_to_canvas(Giving *giving, const Parcel *parcel)
 {
-    char from[PATH_MAX], name[PATH_MAX];
+    char name[PATH_MAX];
     const char *entry = parcel->row->entrant->entry, *rest = entry;
     int n_numbers = 0;
     while (n_numbers < 2 && (rest = strchr(rest, '_')) != NULL) {
@@ -229,9 +298,8 @@ static int give_to_canvas(Giving *giving, const Parcel *parcel)
         return 0;
     }
     rest += strspn(rest, "0123456789");
-    report_path(giving, parcel->row, from);
     path_make(name, "%.*s_report.html", (int)(rest - entry), entry);
-    return strchr(name, '/') != NULL ? 0 : zip_put(giving, from, name);
+    return strchr(name, '/') != NULL ? 0 : zip_put(giving, parcel->row, name);
 }
 
 // Returns 0, or -1 after one message.
@@ -261,13 +329,15 @@ static int zip_write(Giving *giving, const Worksheet *worksheet, const char *pat
 
 static int give_as_folder(Giving *giving, const Parcel *parcel)
 {
-    char plain[NAME_BYTES], from[PATH_MAX], folder[PATH_MAX], to[PATH_MAX];
+    char plain[NAME_BYTES], folder[PATH_MAX], to[PATH_MAX];
     plain_name(parcel->name, plain);
-    report_path(giving, parcel->row, from);
     path_make(folder, "%s/%s-%s", giving->folder, plain, parcel->row->entrant->slug);
     path_make(to, "%s/report.html", folder);
-    if ((mkdir(folder, 0700) != 0 && errno != EEXIST) || copy_file(from, to) != 0) {
-        complain("gradebook: %s: cannot be written: %s", to, strerror(errno));
+    if (mkdir(folder, 0700) != 0 && errno != EEXIST) {
+        complain("gradebook: %s: cannot be made: %s", folder, strerror(errno));
+        return -1;
+    }
+    if (report_copy(giving, parcel->row, to) != 0) {
         return -1;
     }
     char *comment = feedback_comment(giving->gradebook, parcel->row);

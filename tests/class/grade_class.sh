@@ -11,6 +11,8 @@
 #     --only failed|latest   only those below full marks; of a student's entries by Moodle the last
 #     --again 1              grade all, also where nothing has changed
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
+#     --who FILE.csv         whose an entry is, where the instructor decides: entry, student, counts
+#     --changes FILE.csv     the instructor's corrections: student, task, points, comment, until
 #     --against FILE.json    an older gradebook.json, to compare scores with
 #     --nothing 0|blank      what gradebooks have for who handed in nothing of this lab (blank)
 #     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
@@ -50,7 +52,7 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' against='' nothing=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' against='' nothing=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -64,6 +66,8 @@ while [ $# -gt 0 ]; do
     --only) only=$2 ;;
     --again) again=$2 ;;
     --moodle) moodle=$2 ;;
+    --who) who=$2 ;;
+    --changes) changes=$2 ;;
     --against) against=$2 ;;
     --nothing) nothing=$2 ;;
     --device) CLASS_DEVICE=$2 ;;
@@ -101,8 +105,10 @@ esac
 case $submissions in -*) submissions=./$submissions ;; esac
 case $CLASS_FOLDER in -*) CLASS_FOLDER=./$CLASS_FOLDER ;; esac
 case $moodle in -*) moodle=./$moodle ;; esac
+case $who in -*) who=./$who ;; esac
+case $changes in -*) changes=./$changes ;; esac
 case $against in -*) against=./$against ;; esac
-for file in "$moodle" "$against"; do
+for file in "$moodle" "$who" "$changes" "$against"; do
     [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
 done
 [ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
@@ -231,6 +237,8 @@ rm "$CLASS_FOLDER/contents"
 # What the gradebook will be written with is read now, and not after hours.
 set --
 [ -z "$moodle" ] || set -- "$@" --moodle "$moodle"
+[ -z "$who" ] || set -- "$@" --who "$who"
+[ -z "$changes" ] || set -- "$@" --changes "$changes"
 [ -z "$against" ] || set -- "$@" --against "$against"
 "$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
 

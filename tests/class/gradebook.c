@@ -186,12 +186,13 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         strcmp(gradebook->leaderboard, graded->leaderboard_title) == 0) {
         row->leaderboard = graded->leaderboard;
     }
-    row->score = graded->score;
+    row->score = row->graded_score = graded->score;
     for (int i = 0; i < graded->n_tasks; i++) {
         row->points[i] = graded->tasks[i].points;
     }
     for (int i = 0; i < graded->n_checks; i++) {
         row->passed[i] = graded->checks[i].status == CHECK_PASSED;
+        row->check_points[i] = graded->checks[i].points;
     }
     first_fault_take(row, graded);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);

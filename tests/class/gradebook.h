@@ -22,17 +22,19 @@ typedef enum RowStatus {
 typedef struct Row {
     const Entrant *entrant;
     RowStatus status;
-    char *reason;  // why it is not graded, or what was handed in instead; or NULL
-    int has_log;   // logs/SLUG.txt tells more
-    char *seed;    // of the hidden scenes; NULL when not graded
-    int score;
+    char *reason;      // why it is not graded, or what was handed in instead; or NULL
+    int has_log;       // logs/SLUG.txt tells more
+    char *seed;        // of the hidden scenes; NULL when not graded
+    int score;         // with the instructor's corrections, as are the points
+    int graded_score;  // without
     int points[MANIFEST_MAX_TASKS];
-    char passed[RESULT_MAX_CHECKS];  // check i of the gradebook passed
-    char *fault;                     // title of the first stage or check that did not pass, or NULL
-    char *fault_id;                  // the check's id, "" for a stage
-    char *fault_message;             // the first line of what it said
-    const char *picture;             // "picture.png" or "picture.svg" beside the report, or NULL
-    double leaderboard;              // the figure of its race; 0: none
+    int check_points[RESULT_MAX_CHECKS];  // without
+    char passed[RESULT_MAX_CHECKS];       // check i of the gradebook passed
+    char *fault;          // title of the first stage or check that did not pass, or NULL
+    char *fault_id;       // the check's id, "" for a stage
+    char *fault_message;  // the first line of what it said
+    const char *picture;  // "picture.png" or "picture.svg" beside the report, or NULL
+    double leaderboard;   // the figure of its race; 0: none
     int has_old_score;
     int old_score;  // in the gradebook that this one is compared with
 } Row;
@@ -57,6 +59,7 @@ typedef struct Gradebook {
     int n_nothing;        // rows with nothing of this lab
     int nothing_is_zero;  // such a row is entered as 0; else its score stays blank
     int has_old_scores;   // there is something to compare with
+    const struct Corrections *corrections;  // NULL: none were given (corrections.h)
     Roster roster;
 } Gradebook;
 

@@ -6,6 +6,7 @@
 #include "gradebook.h"
 
 #include "complain.h"
+#include "corrections.h"
 #include "csv_cell.h"
 #include "feedback.h"
 #include "output_file.h"
@@ -52,6 +53,11 @@ static void titles_write(FILE *file, const Gradebook *gradebook, const char *las
     }
     cell_write(file, "first fault");
     cell_write(file, "report");
+    if (gradebook->corrections != NULL) {
+        cell_write(file, "score before");
+        cell_write(file, "corrections");
+        cell_write(file, "more time until");
+    }
     row_end(file, last);
 }
 
@@ -60,8 +66,28 @@ static void no_row_write(FILE *file, const Gradebook *gradebook, const char *why
 {
     empty_write(file, 2);
     cell_write(file, why);
-    empty_write(file, gradebook->n_tasks + 4);
+    empty_write(file, gradebook->n_tasks + 4 + (gradebook->corrections != NULL ? 3 : 0));
     row_end(file, last);
+}
+
+// What the grader gave, where it was corrected, and how.
+static void corrections_cells_write(FILE *file, const Gradebook *gradebook, const Row *row)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *stream = open_memstream(&text, &length);
+    if (stream != NULL) {
+        corrections_write(stream, gradebook, row);
+        fclose(stream);
+    }
+    if (row->score != row->graded_score) {
+        fprintf(file, ",%d", row->graded_score);
+    } else {
+        empty_write(file, 1);
+    }
+    cell_write(file, text != NULL ? text : "");
+    cell_write(file, corrections_until(gradebook, row));
+    free(text);
 }
 
 // `last` as in titles_write().
@@ -92,6 +118,9 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, co
         char report[128];
         snprintf(report, sizeof report, "students/%s/report.html", row->entrant->slug);
         cell_write(file, report);
+    }
+    if (gradebook->corrections != NULL) {
+        corrections_cells_write(file, gradebook, row);
     }
     row_end(file, last);
 }
@@ -178,7 +207,9 @@ static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradeb
         }
         empty_write(file, worksheet->n_columns);
         row_write(file, gradebook, &gradebook->rows[i],
-                  entered->why_not != NULL ? entered->why_not : "");
+                  entered->why_not != NULL    ? entered->why_not
+                  : entered->left_out != NULL ? entered->left_out
+                                              : "");
         if (entered->why_not != NULL) {
             complain("gradebook: %s: not entered: \"%s\": %s", worksheet->path, entrant->entry,
                      entered->why_not);

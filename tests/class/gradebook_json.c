@@ -5,6 +5,7 @@
 #include "gradebook.h"
 
 #include "complain.h"
+#include "corrections.h"
 #include "output_file.h"
 
 #include <jansson.h>
@@ -29,6 +30,38 @@ static json_t *checks_json(const Gradebook *gradebook, const Row *row)
     return failed;
 }
 
+static json_t *correction_json(const Correction *correction)
+{
+    json_t *json =
+        json_pack("{s:s, s:s}", "comment", correction->comment, "until", correction->until);
+    if (correction->task != NULL) {
+        json_object_set_new(json, "task", json_string(correction->task));
+    }
+    if (correction->check != NULL) {
+        json_object_set_new(json, "check", json_string(correction->check));
+    }
+    if (correction->is_applied) {
+        json_object_set_new(json, "before", json_integer(correction->before));
+        json_object_set_new(json, "after", json_integer(correction->after));
+    }
+    if (correction->has_points) {
+        json_object_set_new(json, "applied", json_boolean(correction->is_applied));
+    }
+    return json;
+}
+
+static json_t *corrections_json(const Gradebook *gradebook, const Row *row)
+{
+    json_t *json = json_array();
+    for (int i = 0; i < gradebook->corrections->n; i++) {
+        const Correction *correction = &gradebook->corrections->all[i];
+        if (&gradebook->rows[correction->row] == row) {
+            json_array_append_new(json, correction_json(correction));
+        }
+    }
+    return json;
+}
+
 static json_t *row_json(const Gradebook *gradebook, const Row *row)
 {
     const Entrant *entrant = row->entrant;
@@ -38,6 +71,9 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row)
     if (row->reason != NULL) {
         json_object_set_new(json, "reason", json_string(row->reason));
     }
+    if (corrections_has(gradebook, row)) {
+        json_object_set_new(json, "corrections", corrections_json(gradebook, row));
+    }
     if (row->status == ROW_NOT_GRADED) {
         return json;
     }
@@ -46,6 +82,9 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row)
     if (row_is_entered(gradebook, row)) {
         json_object_set_new(json, "score", json_integer(row->score));
         json_object_set_new(json, "max_score", json_integer(gradebook->max_score));
+    }
+    if (row->score != row->graded_score) {
+        json_object_set_new(json, "score_before", json_integer(row->graded_score));
     }
     if (row_is_graded(row)) {
         json_object_set_new(json, "points", points_json(gradebook, row));

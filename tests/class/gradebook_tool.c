@@ -3,9 +3,11 @@
 //     gradebook unpack BUILD ARCHIVE FOLDER
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook keys [--seed N] GRADER FOLDER <contents
-//     gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER
-//     gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] FOLDER
-//     gradebook feedback [--moodle WORKSHEET.csv] moodle|canvas|folders|mail FOLDER
+//     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
+//     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] FOLDER
+//     gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER
+//
+//     LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -19,6 +21,8 @@
 #include "class_keys.h"
 #include "clean_text.h"
 #include "complain.h"
+#include "corrections.h"
+#include "decisions.h"
 #include "export_archive.h"
 #include "feedback.h"
 #include "gradebook.h"
@@ -38,15 +42,14 @@ enum { EXIT_ALL_GRADED = 0, EXIT_SOME_LOST = 1, EXIT_FAULT = 2 };
 
 static int usage(void)
 {
-    fputs(
-        "usage: gradebook unpack BUILD ARCHIVE FOLDER\n"
-        "       gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
-        "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
-        "       gradebook check [--moodle WORKSHEET.csv] [--against OLD.json] LAB FOLDER\n"
-        "       gradebook write [--moodle WORKSHEET.csv] [--against OLD.json] [--nothing 0|blank] "
-        "FOLDER\n"
-        "       gradebook feedback [--moodle WORKSHEET.csv] moodle|canvas|folders|mail FOLDER\n",
-        stderr);
+    fputs("usage: gradebook unpack BUILD ARCHIVE FOLDER\n"
+          "       gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
+          "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
+          "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
+          "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] FOLDER\n"
+          "       gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER\n"
+          "LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv\n",
+          stderr);
     return EXIT_FAULT;
 }
 
@@ -126,8 +129,9 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
 }
 
 // How the class did, for the terminal. The last line counts everybody.
+//   n_open   how many entries who.csv offers to decide
 static void summary_print(const Gradebook *gradebook, const LookAlikes *look_alikes,
-                          const Tally *tally)
+                          const Tally *tally, int n_open)
 {
     const char *folder = gradebook->folder;
     double sum = 0;
@@ -159,22 +163,84 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
     faults_print(gradebook, folder);
     look_alikes_print(look_alikes);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
+    if (n_open > 0) {
+        printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
+               "WHO=%s/who.csv\n",
+               n_open, folder, folder);
+    }
     tally_write(stdout, tally);
     printf(": see %s/class.html\n", folder);
 }
 
-static int gradebook_check(const char *lab, const char *folder, const char *worksheet,
-                           const char *against)
+// ---- A class with the instructor's lists ------------------------------------------------------
+
+typedef struct ListPaths {
+    const char *worksheet, *who, *changes, *against;  // each NULL where it was not given
+} ListPaths;
+
+typedef struct Class {
+    Gradebook gradebook;
+    Worksheet worksheet;
+    const Worksheet *list;  // the worksheet, or NULL
+    Corrections corrections;
+} Class;
+
+// What is graded anew has no points yet that a correction could lead beyond its bounds.
+static void outdated_drop(Gradebook *gradebook)
 {
-    Gradebook gradebook = {0};
-    Worksheet sheet;
-    int result = against != NULL ? gradebook_check_old(against, lab) : 0;
-    if (result == 0 && worksheet != NULL &&
-        (result = gradebook_load(folder, NULL, &gradebook)) == 0 &&
-        (result = worksheet_load(worksheet, &gradebook, &sheet)) == 0) {
-        worksheet_free(&sheet);
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        Row *row = &gradebook->rows[i];
+        row->status = row->status == ROW_OUTDATED ? ROW_NOT_GRADED : row->status;
     }
-    gradebook_free(&gradebook);
+}
+
+// Gather all. `lab`: the class is to be graded, as one of this lab; NULL: it was graded. Returns 0,
+// or -1 after one message. Release with class_free() in both cases.
+static int class_load(const char *folder, const char *lab, const ListPaths *paths, Class *class)
+{
+    *class = (Class){0};
+    Gradebook *gradebook = &class->gradebook;
+    if (gradebook_load(folder, lab == NULL ? paths->against : NULL, gradebook) != 0) {
+        return -1;
+    }
+    if (lab != NULL) {
+        outdated_drop(gradebook);
+    }
+    if (paths->who != NULL && paths->worksheet == NULL) {
+        complain("gradebook: %s: found no list of participants beside it, expected MOODLE=",
+                 paths->who);
+        return -1;
+    }
+    if (paths->worksheet != NULL) {
+        if (worksheet_load(paths->worksheet, paths->who, gradebook, &class->worksheet) != 0) {
+            return -1;
+        }
+        class->list = &class->worksheet;
+    }
+    lab = lab != NULL ? lab : gradebook->lab;
+    if (paths->changes == NULL || lab == NULL) {
+        return 0;
+    }
+    return corrections_load(paths->changes, lab, gradebook, class->list, &class->corrections) != 0
+               ? -1
+               : corrections_apply(&class->corrections, gradebook);
+}
+
+static void class_free(Class *class)
+{
+    corrections_free(&class->corrections);
+    worksheet_free(&class->worksheet);
+    gradebook_free(&class->gradebook);
+}
+
+static int gradebook_check(const char *lab, const char *folder, const ListPaths *paths)
+{
+    Class class = {0};
+    int result = paths->against != NULL ? gradebook_check_old(paths->against, lab) : 0;
+    if (result == 0 && (paths->worksheet != NULL || paths->who != NULL || paths->changes != NULL)) {
+        result = class_load(folder, lab, paths, &class);
+    }
+    class_free(&class);
     return result == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
 }
 
@@ -187,63 +253,56 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, T
     path_make(json, "%s/gradebook.json", folder);
     path_make(page, "%s/class.html", folder);
     LookAlikes look_alikes;
+    int n_open = 0;
     if (look_alikes_find(gradebook, &look_alikes) != 0) {
         return -1;
     }
     *tally = tally_count(gradebook, worksheet, look_alikes.n_groups);
     const int failed = gradebook_csv(gradebook, csv, worksheet) != 0 ||
                        gradebook_json(gradebook, json) != 0 ||
-                       gradebook_page(gradebook, page, worksheet) != 0;
+                       gradebook_page(gradebook, page, worksheet) != 0 ||
+                       (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
     if (!failed) {
-        summary_print(gradebook, &look_alikes, tally);
+        summary_print(gradebook, &look_alikes, tally, n_open);
     }
     look_alikes_free(&look_alikes);
     return failed ? -1 : 0;
 }
 
-static int gradebook_write(const char *folder, const char *list, const char *against,
-                           int nothing_is_zero)
+static int gradebook_write(const char *folder, const ListPaths *paths, int nothing_is_zero)
 {
-    Gradebook gradebook;
-    Worksheet worksheet = {0};
+    Class class;
     Tally tally;
     int status = EXIT_FAULT;
-    if (gradebook_load(folder, against, &gradebook) == 0 &&
-        (list == NULL || worksheet_load(list, &gradebook, &worksheet) == 0)) {
-        gradebook.nothing_is_zero = nothing_is_zero;
-        if (files_write(&gradebook, list != NULL ? &worksheet : NULL, &tally) == 0) {
+    if (class_load(folder, NULL, paths, &class) == 0) {
+        class.gradebook.nothing_is_zero = nothing_is_zero;
+        if (files_write(&class.gradebook, class.list, &tally) == 0) {
             status = tally_has_lost(&tally) ? EXIT_SOME_LOST : EXIT_ALL_GRADED;
         }
     }
-    worksheet_free(&worksheet);
-    gradebook_free(&gradebook);
+    class_free(&class);
     return status;
 }
 
-static int give_back(const char *kind_name, const char *folder, const char *list)
+static int give_back(const char *kind_name, const char *folder, const ListPaths *paths)
 {
     FeedbackKind kind;
-    Gradebook gradebook = {0};
-    Worksheet worksheet = {0};
-    int status = EXIT_FAULT;
+    Class class;
     if (feedback_kind_find(kind_name, &kind) != 0) {
         complain("gradebook: found \"%s\", expected moodle, canvas, folders or mail", kind_name);
         return EXIT_FAULT;
     }
-    if (gradebook_load(folder, NULL, &gradebook) == 0 &&
-        (list == NULL || worksheet_load(list, &gradebook, &worksheet) == 0) &&
-        feedback_write(&gradebook, list != NULL ? &worksheet : NULL, kind) == 0) {
-        status = EXIT_ALL_GRADED;
-    }
-    worksheet_free(&worksheet);
-    gradebook_free(&gradebook);
-    return status;
+    const int failed = class_load(folder, NULL, paths, &class) != 0 ||
+                       feedback_write(&class.gradebook, class.list, kind) != 0;
+    class_free(&class);
+    return failed ? EXIT_FAULT : EXIT_ALL_GRADED;
 }
 
 typedef struct GradebookOptions {
     int only_latest;
     uint64_t seed;
-    const char *worksheet, *against, *nothing;
+    ListPaths paths;
+    const char *nothing;
     int help;
 } GradebookOptions;
 
@@ -251,12 +310,14 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 6 };
+    enum { SEED = 1, N_ROWS = 8 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
-        {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(worksheet)},
-        {.name = "against", .argument = "OLD", .place = PLACE(against)},
+        {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.worksheet)},
+        {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
+        {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
+        {.name = "against", .argument = "OLD", .place = PLACE(paths.against)},
         {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
@@ -281,14 +342,14 @@ int main(int argc, char **argv)
         return class_keys_make(argv[2], seed, argv[1], stdin) == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
     }
     if (argc == 3 && strcmp(argv[0], "check") == 0) {
-        return gradebook_check(argv[1], argv[2], options.worksheet, options.against);
+        return gradebook_check(argv[1], argv[2], &options.paths);
     }
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
         const int is_zero = options.nothing != NULL && strcmp(options.nothing, "0") == 0;
-        return gradebook_write(argv[1], options.worksheet, options.against, is_zero);
+        return gradebook_write(argv[1], &options.paths, is_zero);
     }
     if (argc == 3 && strcmp(argv[0], "feedback") == 0) {
-        return give_back(argv[1], argv[2], options.worksheet);
+        return give_back(argv[1], argv[2], &options.paths);
     }
     return usage();
 }

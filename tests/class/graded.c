@@ -108,11 +108,11 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
     for (size_t i = 0; i < json_array_size(checks); i++) {
         GradedCheck *check = &graded->checks[graded->n_checks++];
         const char *task, *word, *hint;
-        int points, max_points;
+        int max_points;
         json_error_t error;
         if (json_unpack_ex(json_array_get(checks, i), &error, JSON_STRICT,
                            "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s}", "id", &check->id, "title",
-                           &check->title, "task", &task, "points", &points, "max_points",
+                           &check->title, "task", &task, "points", &check->points, "max_points",
                            &max_points, "status", &word, "message", &check->message, "hint",
                            &hint) != 0) {
             return fault(path, "checks[%zu]: %s", i, error.text);
@@ -127,11 +127,12 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
         if (owner == graded->n_tasks) {
             return fault(path, "checks[%zu]: found the unknown task \"%s\"", i, task);
         }
-        if (!points_agree(points, max_points) || (points > 0 && check->status != CHECK_PASSED)) {
-            return fault(path, "checks[%zu]: found %d of %d points, %s", i, points, max_points,
-                         word);
+        if (!points_agree(check->points, max_points) ||
+            (check->points > 0 && check->status != CHECK_PASSED)) {
+            return fault(path, "checks[%zu]: found %d of %d points, %s", i, check->points,
+                         max_points, word);
         }
-        points_left[owner] -= points;
+        points_left[owner] -= check->points;
     }
     for (int i = 0; i < graded->n_tasks; i++) {
         if (points_left[i] != 0) {

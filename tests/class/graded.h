@@ -13,6 +13,7 @@ typedef struct GradedTask {
 typedef struct GradedCheck {
     const char *id, *title, *message;
     CheckStatus status;
+    int points;
 } GradedCheck;
 
 // One submission's results. The strings live as long as it does.

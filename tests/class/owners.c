@@ -3,6 +3,7 @@
 // Read next: participant_fit.h, gradebook_csv.c.
 #include "owners.h"
 
+#include "decisions.h"
 #include "entry_name.h"
 #include "participant_fit.h"
 
@@ -229,13 +230,41 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
     enter_one(search, row, "", same.n == 1 ? &same : &named);
 }
 
+// What the instructor has decided about a row. Returns whether that is anything.
+static int decided_enter(Search *search, int row)
+{
+    Worksheet *worksheet = search->worksheet;
+    const Decisions *decisions = worksheet->decisions;
+    int is_decided = 0;
+    for (int i = 0; decisions != NULL && i < decisions->n; i++) {
+        const Decision *decision = &decisions->all[i];
+        if (decision->row != row) {
+            continue;
+        }
+        is_decided = 1;
+        if (decision->participant > 0) {
+            worksheet->participants[decision->participant].is_fitted = 1;
+        }
+        if (decision->kind == DECISION_YES) {
+            enter(search, row, decision->participant + 1);
+        } else {
+            worksheet->entered[row].left_out = decision->kind == DECISION_NO
+                                                   ? "another submission counts, as you decided"
+                                                   : "ignored, as you decided";
+        }
+    }
+    return is_decided;
+}
+
 int owners_find(Worksheet *worksheet, const Gradebook *gradebook)
 {
     Search search = {.worksheet = worksheet, .gradebook = gradebook};
-    worksheet->has_one_domain = has_one_domain(worksheet);
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Entrant *entrant = gradebook->rows[i].entrant;
         if (row_that_counts(gradebook, &gradebook->rows[i]) != &gradebook->rows[i]) {
+            continue;
+        }
+        if (decided_enter(&search, i)) {
             continue;
         }
         for (int m = 0; m < entrant->n_members; m++) {

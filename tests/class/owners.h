@@ -1,7 +1,8 @@
 // Who of Moodle's list an entry of the gradebook belongs to: one student, or all of a team.
 //
-// Points must never reach anybody else. So what fits two, or fits one but for a part that differs,
-// is entered for nobody, and listed for the instructor.
+// What the instructor has decided (decisions.h) comes first. For the rest points must never reach
+// anybody else. So what fits two, or fits one but for a part that differs, is entered for nobody,
+// and listed for the instructor.
 //   - Where the export says more of a submitter than a name, the entry belongs to each of them:
 //     Gradescope gives e-mail addresses and university numbers; Canvas, Brightspace and ILIAS their
 //     own numbers or logins. Whose key it is, else whose name, unless the list gives that person

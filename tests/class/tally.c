@@ -17,6 +17,8 @@ Tally tally_count(const Gradebook *gradebook, const Worksheet *worksheet, int n_
             tally.n_superseded++;
         } else if (row->status == ROW_NOT_GRADED) {
             tally.n_not_graded++;
+        } else if (worksheet != NULL && worksheet->entered[i].left_out != NULL) {
+            tally.n_left_out++;
         } else if (tally_is_undecided(gradebook, worksheet, row)) {
             tally.n_undecided++;
         } else if (row->status == ROW_NOTHING) {
@@ -53,6 +55,9 @@ void tally_write(FILE *file, const Tally *tally)
             tally->n_nothing);
     if (tally->n_superseded > 0) {
         fprintf(file, "; %d earlier attempts", tally->n_superseded);
+    }
+    if (tally->n_left_out > 0) {
+        fprintf(file, "; %d left out by you", tally->n_left_out);
     }
     if (tally->n_not_graded > 0) {
         fprintf(file, "; %d not graded", tally->n_not_graded);

@@ -10,6 +10,7 @@ typedef struct Tally {
     int n_superseded;   // attempts of which a later one counts
     int n_not_graded;   // faults of the machinery
     int n_undecided;    // for some student not entered; without a list: groups of look-alikes
+    int n_left_out;     // not to be counted, as the instructor decided
     int n_nothing;      // nothing of this lab was handed in
     int n_done;         // the rest: graded, and entered where there is a list
     int n_passed_over;  // files that are no entry

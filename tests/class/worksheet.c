@@ -2,12 +2,11 @@
 #include "worksheet.h"
 
 #include "complain.h"
+#include "decisions.h"
 #include "owners.h"
+#include "participant_fit.h"
 #include "sheet_number.h"
-#include "sheet_text.h"
 
-#include <csv.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,101 +43,27 @@ int worksheet_column(const Worksheet *worksheet, const char *const *titles)
 
 // ---- Reading ---------------------------------------------------------------------------------
 
-typedef struct Reader {
-    Worksheet *worksheet;
-    Participant current;
-    int n_cells;
-    const char *fault;
-} Reader;
-
-static void cell_read(void *field, size_t length, void *pointer)
+// The lines of the file, whose cells are the participants' from here on. Returns 0, or -1 after one
+// message.
+static int lines_read(Worksheet *worksheet)
 {
-    Reader *reader = pointer;
-    (void)length;  // libcsv appends a NUL
-    if (reader->n_cells == WORKSHEET_MAX_COLUMNS) {
-        reader->fault = "a line has too many columns";
-        return;
-    }
-    char *cell = strdup(field != NULL ? field : "");
-    reader->current.cells[reader->n_cells++] = cell;
-    reader->fault = cell == NULL ? "out of memory" : reader->fault;
-}
-
-static void line_end(int character, void *pointer)
-{
-    Reader *reader = pointer;
-    Worksheet *worksheet = reader->worksheet;
-    (void)character;
-    const int n = worksheet->n_participants;
-    if ((n & (n - 1)) == 0) {
-        const size_t n_most = n > 0 ? 2 * (size_t)n : 1;
-        Participant *grown = realloc(worksheet->participants, n_most * sizeof *grown);
-        if (grown == NULL) {
-            reader->fault = "out of memory";
-            return;
-        }
-        worksheet->participants = grown;
-    }
-    if (n == 0) {
-        worksheet->n_columns = reader->n_cells;
-    } else if (reader->n_cells != worksheet->n_columns) {
-        reader->fault = "a line has another number of columns than the first";
-    }
-    worksheet->participants[worksheet->n_participants++] = reader->current;
-    reader->current = (Participant){0};
-    reader->n_cells = 0;
-}
-
-static int text_parse(const char *bytes, size_t n_bytes, Worksheet *worksheet)
-{
-    struct csv_parser parser;
-    Reader reader = {.worksheet = worksheet};
-    SheetText sheet;
-    const char *instead = sheet_text_find(bytes, n_bytes, &sheet);
-    if (instead != NULL) {
-        complain("gradebook: %s: found %s; expected Moodle's list of participants", worksheet->path,
-                 instead);
+    Sheet sheet;
+    if (sheet_load(worksheet->path, "Moodle's list of participants", &sheet) != 0) {
         return -1;
     }
-    csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL);
-    csv_set_delim(&parser, (unsigned char)sheet.delimiter);
-    if (csv_parse(&parser, sheet.text, sheet.length, cell_read, line_end, &reader) !=
-            sheet.length ||
-        csv_fini(&parser, cell_read, line_end, &reader) != 0) {
-        reader.fault = csv_strerror(csv_error(&parser));
+    worksheet->participants = calloc((size_t)sheet.n_lines, sizeof *worksheet->participants);
+    if (worksheet->participants == NULL) {
+        sheet_free(&sheet);
+        return fault(worksheet->path, "out of memory");
     }
-    csv_free(&parser);
-    for (int i = 0; i < reader.n_cells; i++) {
-        free(reader.current.cells[i]);
+    worksheet->n_participants = sheet.n_lines;
+    worksheet->n_columns = sheet.n_columns;
+    for (int i = 0; i < sheet.n_lines; i++) {
+        memcpy(worksheet->participants[i].cells, sheet.lines[i].cells, sizeof sheet.lines[i].cells);
+        sheet.lines[i] = (SheetLine){0};
     }
-    if (reader.fault == NULL && worksheet->n_participants == 0) {
-        reader.fault = "empty; expected Moodle's list of participants";
-    }
-    return reader.fault != NULL ? fault(worksheet->path, reader.fault) : 0;
-}
-
-static int file_parse(Worksheet *worksheet)
-{
-    FILE *file = fopen(worksheet->path, "rb");
-    char *text = file != NULL ? malloc(WORKSHEET_MAX_BYTES) : NULL;
-    if (text == NULL) {
-        const int result = fault(worksheet->path, strerror(errno));
-        if (file != NULL) {
-            fclose(file);
-        }
-        return result;
-    }
-    const size_t length = fread(text, 1, WORKSHEET_MAX_BYTES, file);
-    int result = ferror(file) ? fault(worksheet->path, strerror(errno)) : 0;
-    if (result == 0 && length == WORKSHEET_MAX_BYTES) {
-        result = fault(worksheet->path, "too large for a list of participants");
-    } else {
-        text[length] = '\0';
-    }
-    result = result == 0 ? text_parse(text, length, worksheet) : result;
-    fclose(file);
-    free(text);
-    return result;
+    sheet_free(&sheet);
+    return 0;
 }
 
 // The maximum that a line has, and its decimal sign; the lab's, where it has none. Returns 0, or -1
@@ -172,7 +97,23 @@ static int maxima_check(const Worksheet *worksheet)
     return 0;
 }
 
-int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet)
+static int decisions_take(Worksheet *worksheet, const char *path, const Gradebook *gradebook)
+{
+    Decisions decisions;
+    if (decisions_load(path, gradebook, worksheet, &decisions) != 0) {
+        return -1;
+    }
+    worksheet->decisions = malloc(sizeof decisions);
+    if (worksheet->decisions == NULL) {
+        decisions_free(&decisions);
+        return fault(path, "out of memory");
+    }
+    *worksheet->decisions = decisions;
+    return 0;
+}
+
+int worksheet_load(const char *path, const char *decisions, const Gradebook *gradebook,
+                   Worksheet *worksheet)
 {
     *worksheet = (Worksheet){.path = path};
     worksheet->n_rows = gradebook->n_rows;
@@ -180,13 +121,15 @@ int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *work
     if (worksheet->entered == NULL) {
         return fault(path, "out of memory");
     }
-    if (file_parse(worksheet) != 0) {
+    if (lines_read(worksheet) != 0) {
         worksheet_free(worksheet);
         return -1;
     }
     worksheet->grade_column = worksheet_column(worksheet, grade_titles);
     worksheet->maximum_column = worksheet_column(worksheet, maximum_titles);
-    if (maxima_check(worksheet) != 0) {
+    worksheet->has_one_domain = has_one_domain(worksheet);
+    if (maxima_check(worksheet) != 0 ||
+        (decisions != NULL && decisions_take(worksheet, decisions, gradebook) != 0)) {
         worksheet_free(worksheet);
         return -1;
     }
@@ -200,7 +143,7 @@ int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *work
 void worksheet_free(Worksheet *worksheet)
 {
     for (int i = 0; i < worksheet->n_participants; i++) {
-        for (int c = 0; c < WORKSHEET_MAX_COLUMNS; c++) {
+        for (int c = 0; c < SHEET_MAX_COLUMNS; c++) {
             free(worksheet->participants[i].cells[c]);
         }
     }
@@ -209,6 +152,10 @@ void worksheet_free(Worksheet *worksheet)
         free(worksheet->entered[i].why_not);
     }
     free(worksheet->entered);
+    if (worksheet->decisions != NULL) {
+        decisions_free(worksheet->decisions);
+        free(worksheet->decisions);
+    }
     *worksheet = (Worksheet){0};
 }
 

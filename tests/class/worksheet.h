@@ -6,11 +6,10 @@
 #define CLASS_WORKSHEET_H
 
 #include "gradebook.h"
-
-enum { WORKSHEET_MAX_COLUMNS = 64, WORKSHEET_MAX_BYTES = 16 * 1024 * 1024 };
+#include "sheet.h"
 
 typedef struct Participant {
-    char *cells[WORKSHEET_MAX_COLUMNS];
+    char *cells[SHEET_MAX_COLUMNS];
     const Row *row;    // the student's entry that counts, or NULL: none, or not for certain
     int is_nobody;     // the line is about no person
     int is_contested;  // entries of two names fit: then none counts
@@ -19,8 +18,9 @@ typedef struct Participant {
 
 // What became of a row of the gradebook.
 typedef struct Entered {
-    int n_participants;  // beside whom it is: all of a team; none if a later attempt counts
-    char *why_not;       // who it could not be entered for, and why; NULL: nobody
+    int n_participants;    // beside whom it is: all of a team; none if a later attempt counts
+    char *why_not;         // who it could not be entered for, and why; NULL: nobody
+    const char *left_out;  // the instructor decided so, in these words; NULL: no
 } Entered;
 
 typedef struct Worksheet {
@@ -32,11 +32,14 @@ typedef struct Worksheet {
     int has_one_domain;                // all e-mail addresses are of one
     Entered *entered;                  // [n_rows] of the gradebook
     int n_rows;
+    struct Decisions *decisions;  // the instructor's (decisions.h); NULL: none were given
 } Worksheet;
 
-// Read a list and find each participant's row of the gradebook (owners.h). Returns 0, or -1 after
-// one message on stderr. Release with worksheet_free().
-int worksheet_load(const char *path, const Gradebook *gradebook, Worksheet *worksheet);
+// Read a list and find each participant's row of the gradebook (owners.h).
+//   decisions   a file with what the instructor has decided (decisions.h), or NULL
+// Returns 0, or -1 after one message on stderr. Release with worksheet_free().
+int worksheet_load(const char *path, const char *decisions, const Gradebook *gradebook,
+                   Worksheet *worksheet);
 void worksheet_free(Worksheet *worksheet);
 
 // Has a column one of these titles, a list that ends with NULL? And the first that has, or -1.

@@ -1,0 +1,402 @@
+// Reading and applying corrections (see corrections.h).
+#include "corrections.h"
+
+#include "called.h"
+#include "class_page.h"
+#include "clean_text.h"
+#include "complain.h"
+#include "html.h"
+#include "manifest.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STUDENT, TASK, POINTS, COMMENT, UNTIL, N_COLUMNS };
+static const char *const titles[N_COLUMNS] = {"student", "task", "points", "comment", "until"};
+
+// One message about a line. Returns -1.
+__attribute__((format(printf, 3, 4))) static int fault(const Corrections *corrections, int line,
+                                                       const char *format, ...)
+{
+    char reason[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(reason, sizeof reason, format, arguments);
+    va_end(arguments);
+    complain("gradebook: %s: line %d: %s", corrections->path, line, reason);
+    return -1;
+}
+
+// ---- A line ------------------------------------------------------------------------------------
+
+// "12", "+5" or "-5", and nothing else. A spreadsheet may have put an apostrophe before it.
+static int points_read(const char *text, Correction *correction)
+{
+    text += text[0] == '\'';
+    correction->is_relative = text[0] == '+' || text[0] == '-';
+    const char *digits = text + correction->is_relative;
+    const size_t length = strlen(digits);
+    if (length == 0 || length > 4 || strspn(digits, "0123456789") != length) {
+        return -1;
+    }
+    correction->points = atoi(text);
+    correction->has_points = 1;
+    return 0;
+}
+
+static int is_day(const char *text)
+{
+    static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    int month, day, length = 0;
+    if (strlen(text) != 10 || strspn(text, "0123456789-") != 10 ||
+        sscanf(text, "%*4[0-9]-%2d-%2d%n", &month, &day, &length) != 2 || length != 10) {
+        return 0;
+    }
+    return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1];
+}
+
+static int row_find(const Corrections *corrections, const Gradebook *gradebook,
+                    const Worksheet *worksheet, const char *name, Correction *correction)
+{
+    const Called called = called_student(gradebook, worksheet, name);
+    if (called.n == 0) {
+        return fault(corrections, correction->line,
+                     "found the student \"%.200s\", who handed in nothing here; expected a name, "
+                     "number, slug or e-mail address as in gradebook.json",
+                     name);
+    }
+    if (called.n > 1) {
+        return fault(corrections, correction->line,
+                     "\"%.200s\" is the name of %d submissions, among them %.100s and %.100s; "
+                     "expected one of these slugs",
+                     name, called.n, gradebook->rows[called.first].entrant->slug,
+                     gradebook->rows[called.last].entrant->slug);
+    }
+    correction->row = called.first;
+    return 0;
+}
+
+// Find the task or check of this id. Returns 0, or -1 where there is none, or when memory runs out.
+static int task_find(const Manifest *manifest, const char *id, Correction *correction)
+{
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        int sum = 0;
+        for (int c = 0; c < task->n_checks; c++) {
+            sum += task->checks[c].points;
+            if (strcmp(task->checks[c].id, id) == 0) {
+                correction->task = strdup(task->id);
+                correction->check = strdup(id);
+                correction->max_points = task->checks[c].points;
+                return correction->task != NULL && correction->check != NULL ? 0 : -1;
+            }
+        }
+        if (strcmp(task->id, id) == 0) {
+            correction->task = strdup(id);
+            correction->max_points = sum;
+            return correction->task != NULL ? 0 : -1;
+        }
+    }
+    return -1;
+}
+
+static const char *cell_of(const SheetLine *line, int column)
+{
+    return column >= 0 ? line->cells[column] : "";
+}
+
+// The task and its points, where any are given.
+static int change_read(const Corrections *corrections, const Manifest *manifest, const char *id,
+                       const char *points, Correction *correction)
+{
+    const int line = correction->line;
+    if (id[0] == '\0' && points[0] == '\0') {
+        return 0;
+    }
+    if (task_find(manifest, id, correction) != 0) {
+        return fault(corrections, line, "found the task \"%.200s\", expected a task or check of %s",
+                     id, manifest->lab);
+    }
+    if (points[0] == '\0') {
+        return 0;
+    }
+    if (points_read(points, correction) != 0) {
+        return fault(corrections, line,
+                     "found \"%.200s\" points, expected a whole number such as 12, +5 or -5",
+                     points);
+    }
+    if (abs(correction->points) > correction->max_points) {
+        return fault(corrections, line, "found %s points, but %s has 0 to %d", points, id,
+                     correction->max_points);
+    }
+    return 0;
+}
+
+// Does an earlier line change the same points? A task's are those of its checks.
+static int is_taken(const Corrections *corrections, const Correction *correction)
+{
+    for (int i = 0; correction->has_points && &corrections->all[i] != correction; i++) {
+        const Correction *other = &corrections->all[i];
+        if (other->has_points && other->row == correction->row &&
+            strcmp(other->task, correction->task) == 0 &&
+            (other->check == NULL || correction->check == NULL ||
+             strcmp(other->check, correction->check) == 0)) {
+            return other->line;
+        }
+    }
+    return 0;
+}
+
+// The whole of a text, fit for one line; NULL when memory runs out.
+static char *text_clean(const char *text)
+{
+    char *clean = malloc(CLEAN_TEXT_GROWTH * strlen(text) + 1);
+    if (clean != NULL) {
+        text_show(text, 1, clean);
+    }
+    return clean;
+}
+
+static int line_read(Corrections *corrections, const Manifest *manifest, const Gradebook *gradebook,
+                     const Worksheet *worksheet, const SheetLine *line, const int *columns)
+{
+    // What it owns is freed with the others, also when it is refused.
+    Correction *correction = &corrections->all[corrections->n];
+    *correction = (Correction){.line = (int)(line - corrections->sheet.lines) + 1,
+                               .comment = text_clean(cell_of(line, columns[COMMENT])),
+                               .until = cell_of(line, columns[UNTIL])};
+    corrections->n++;
+    if (correction->comment == NULL) {
+        return fault(corrections, correction->line, "out of memory");
+    }
+    int result = row_find(corrections, gradebook, worksheet, line->cells[columns[STUDENT]],
+                          correction) != 0 ||
+                 change_read(corrections, manifest, line->cells[columns[TASK]],
+                             line->cells[columns[POINTS]], correction) != 0;
+    if (result == 0 && correction->until[0] != '\0' && !is_day(correction->until)) {
+        result = fault(corrections, correction->line,
+                       "found \"%.200s\" in the column \"until\", expected a day such as "
+                       "2026-12-24",
+                       correction->until);
+    }
+    if (result == 0 && !correction->has_points && correction->comment[0] == '\0' &&
+        correction->until[0] == '\0') {
+        result = fault(corrections, correction->line,
+                       "found a student only, expected points, a comment or a day");
+    }
+    const int taken = result == 0 ? is_taken(corrections, correction) : 0;
+    if (taken > 0) {
+        result =
+            fault(corrections, correction->line, "line %d changes the same points already", taken);
+    }
+    return result != 0 ? -1 : 0;
+}
+
+int corrections_load(const char *path, const char *lab, const Gradebook *gradebook,
+                     const Worksheet *worksheet, Corrections *corrections)
+{
+    Manifest manifest;
+    int columns[N_COLUMNS];
+    *corrections = (Corrections){.path = path};
+    Sheet *sheet = &corrections->sheet;
+    if (manifest_load(manifest_folder(lab), lab, &manifest) != 0) {
+        return -1;
+    }
+    int result = sheet_load(path, "a list of corrections", sheet);
+    if (result == 0) {
+        result = sheet_columns_find(sheet, path, titles, N_COLUMNS, POINTS + 1, columns);
+    }
+    if (result == 0) {
+        corrections->all = calloc((size_t)sheet->n_lines, sizeof *corrections->all);
+        result = corrections->all != NULL ? 0 : fault(corrections, 1, "out of memory");
+    }
+    for (int i = 1; result == 0 && i < sheet->n_lines; i++) {
+        if (!sheet_line_is_empty(sheet, &sheet->lines[i])) {
+            result =
+                line_read(corrections, &manifest, gradebook, worksheet, &sheet->lines[i], columns);
+        }
+    }
+    manifest_free(&manifest);
+    if (result != 0) {
+        corrections_free(corrections);
+    }
+    return result;
+}
+
+void corrections_free(Corrections *corrections)
+{
+    for (int i = 0; i < corrections->n; i++) {
+        Correction *correction = &corrections->all[i];
+        free(correction->task), free(correction->check), free(correction->comment);
+    }
+    free(corrections->all);
+    sheet_free(&corrections->sheet);
+    *corrections = (Corrections){0};
+}
+
+// ---- Applying ----------------------------------------------------------------------------------
+
+static int column_find(const Column *columns, int n_columns, const char *id)
+{
+    int i = 0;
+    while (i < n_columns && strcmp(columns[i].id, id) != 0) {
+        i++;
+    }
+    return i < n_columns ? i : -1;
+}
+
+// What a row had and gets. Returns 0, or -1 after one message.
+static int change_find(const Corrections *corrections, const Gradebook *gradebook,
+                       Correction *correction)
+{
+    const Row *row = &gradebook->rows[correction->row];
+    const char *id = correction->check != NULL ? correction->check : correction->task;
+    const int column = correction->check != NULL
+                           ? column_find(gradebook->checks, gradebook->n_checks, id)
+                           : column_find(gradebook->tasks, gradebook->n_tasks, id);
+    if (column < 0) {
+        return fault(corrections, correction->line, "%s is not in the results of this class", id);
+    }
+    correction->before =
+        correction->check != NULL ? row->check_points[column] : row->points[column];
+    correction->after = correction->points + (correction->is_relative ? correction->before : 0);
+    if (correction->after < 0 || correction->after > correction->max_points) {
+        return fault(corrections, correction->line, "%+d to the %d points of %s is not in 0 to %d",
+                     correction->points, correction->before, id, correction->max_points);
+    }
+    correction->is_applied = 1;
+    return 0;
+}
+
+int corrections_apply(Corrections *corrections, Gradebook *gradebook)
+{
+    for (int i = 0; i < corrections->n; i++) {
+        Correction *correction = &corrections->all[i];
+        if (correction->has_points && row_is_graded(&gradebook->rows[correction->row]) &&
+            change_find(corrections, gradebook, correction) != 0) {
+            return -1;
+        }
+    }
+    for (int i = 0; i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        if (correction->is_applied) {
+            Row *row = &gradebook->rows[correction->row];
+            const int change = correction->after - correction->before;
+            row->points[column_find(gradebook->tasks, gradebook->n_tasks, correction->task)] +=
+                change;
+            row->score += change;
+        }
+    }
+    gradebook->corrections = corrections;
+    return 0;
+}
+
+// ---- Telling -----------------------------------------------------------------------------------
+
+int corrections_has(const Gradebook *gradebook, const Row *row)
+{
+    const Corrections *corrections = gradebook->corrections;
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        if (&gradebook->rows[corrections->all[i].row] == row) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int corrections_count_waiting(const Gradebook *gradebook)
+{
+    const Corrections *corrections = gradebook->corrections;
+    int n = 0;
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        n += corrections->all[i].has_points && !corrections->all[i].is_applied;
+    }
+    return n;
+}
+
+// What a correction changes, "gradient: 40 to 45 (+5)"; nothing where it names no task.
+static void change_write(FILE *file, const Correction *correction)
+{
+    if (correction->task == NULL) {
+        return;
+    }
+    fputs(correction->check != NULL ? correction->check : correction->task, file);
+    if (correction->is_applied) {
+        fprintf(file, ": %d to %d (%+d)", correction->before, correction->after,
+                correction->after - correction->before);
+    } else if (correction->has_points) {
+        fprintf(file, ": %s%d not applied, as nothing was graded",
+                correction->is_relative && correction->points >= 0 ? "+" : "", correction->points);
+    }
+}
+
+void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row)
+{
+    const Corrections *corrections = gradebook->corrections;
+    const char *between = "";
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        if (&gradebook->rows[correction->row] != row) {
+            continue;
+        }
+        fputs(between, file);
+        change_write(file, correction);
+        fprintf(file, "%s%s",
+                correction->task != NULL && correction->comment[0] != '\0' ? ": " : "",
+                correction->comment);
+        if (correction->task == NULL && correction->comment[0] == '\0') {
+            fprintf(file, "more time until %s", correction->until);
+        }
+        between = "; ";
+    }
+}
+
+static void table_row_write(FILE *page, const Row *named, const Correction *correction)
+{
+    char *change = NULL;
+    size_t length;
+    FILE *stream = open_memstream(&change, &length);
+    if (stream != NULL) {
+        change_write(stream, correction);
+        fclose(stream);
+    }
+    fputs("<tr>", page);
+    if (named != NULL) {
+        fputs("<td class=\"name\">", page);
+        class_name_write(page, named);
+        fputs("</td>", page);
+    }
+    // Task and numbers are ours, the rest is the instructor's.
+    fprintf(page, "<td>%s</td><td>", change != NULL ? change : "");
+    html_message(page, correction->comment);
+    fputs("</td><td>", page);
+    html_line(page, correction->until);
+    fputs("</td></tr>\n", page);
+    free(change);
+}
+
+void corrections_rows_write(FILE *page, const Gradebook *gradebook, const Row *row)
+{
+    const Corrections *corrections = gradebook->corrections;
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        const Row *its_row = &gradebook->rows[corrections->all[i].row];
+        if (row == NULL || row == its_row) {
+            table_row_write(page, row == NULL ? its_row : NULL, &corrections->all[i]);
+        }
+    }
+}
+
+const char *corrections_until(const Gradebook *gradebook, const Row *row)
+{
+    const Corrections *corrections = gradebook->corrections;
+    const char *last = "";
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        if (&gradebook->rows[correction->row] == row && strcmp(correction->until, last) > 0) {
+            last = correction->until;
+        }
+    }
+    return last;
+}

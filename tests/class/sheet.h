@@ -1,0 +1,35 @@
+// A CSV file that somebody exported or wrote, as lines of cells.
+//
+// Read next: worksheet.h, corrections.h, decisions.h, which say what the cells mean.
+#ifndef CLASS_SHEET_H
+#define CLASS_SHEET_H
+
+enum { SHEET_MAX_COLUMNS = 64, SHEET_MAX_BYTES = 16 * 1024 * 1024 };
+
+typedef struct SheetLine {
+    char *cells[SHEET_MAX_COLUMNS];
+} SheetLine;
+
+typedef struct Sheet {
+    SheetLine *lines;  // the first is the head, with the columns' titles; all have n_columns cells
+    int n_lines;
+    int n_columns;
+} Sheet;
+
+// Read a file. Commas, semicolons or tabs part its cells (sheet_text.h).
+//   expected   what it has to be, for messages: "Moodle's list of participants"
+// Returns 0, or -1 after one message on stderr. Release with sheet_free().
+int sheet_load(const char *path, const char *expected, Sheet *sheet);
+void sheet_free(Sheet *sheet);
+
+// Find the columns of a file that an instructor writes: columns[i] is the one with titles[i], or -1
+// where there is none. A title that is none of them may be a slip, and is refused.
+//   n_needed   so many of the titles, the first ones, must be there
+// Returns 0, or -1 after one message on stderr.
+int sheet_columns_find(const Sheet *sheet, const char *path, const char *const *titles,
+                       int n_titles, int n_needed, int *columns);
+
+// Has a line no text in any cell?
+int sheet_line_is_empty(const Sheet *sheet, const SheetLine *line);
+
+#endif
