@@ -19,7 +19,7 @@ $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
-grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate pairs)
+grader: $(addprefix $(OUT)/tools/,holes gradebook term mutants mutate pairs)
 .PHONY: grade-class
 grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json] [NOTHING=0|blank]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
@@ -33,6 +33,15 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUT
 feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|mail|folders [OUTPUT=folder] [MOODLE=file.csv]
 	@$(say_which_lab)
 	@$(OUT)/tools/gradebook feedback $(if $(MOODLE),--moodle "$$MOODLE") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
+
+# The folders of CLASSES are words; the shell expands nothing in them (set -f).
+$(OUT)/tools/term: $(call objects,tests/class/term_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
+classes_in = set -f; test -n "$$CLASSES" || { echo 'make $@: say which folders: make $@ CLASSES="../grades-00 ../grades-03"' >&2; exit 2; }
+.PHONY: term
+term: $(OUT)/tools/term  ## the labs of a term in one table: CLASSES="folder folder ..." [OUTPUT=folder] [PASS=points] [NEED=labs] [EXCEL=1]
+	@$(classes_in); $(OUT)/tools/term table $(if $(PASS),--pass "$$PASS") $(if $(NEED),--need "$$NEED") \
+	    $(if $(EXCEL),--excel) -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 

@@ -83,10 +83,11 @@ int row_is_graded(const Row *row);
 int row_is_entered(const Gradebook *gradebook, const Row *row);
 
 // The three files. Each appears whole or not at all; return 0, or -1 after one message.
-//   worksheet   the list of participants, whose columns come first in the CSV then; or NULL
+//   worksheet   the list of participants, whose columns come first in the CSV then, and whose
+//               addresses and numbers the JSON has; or NULL
 struct Worksheet;
 int gradebook_csv(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
-int gradebook_json(const Gradebook *gradebook, const char *path);
+int gradebook_json(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 int gradebook_page(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 
 #endif

@@ -1,11 +1,13 @@
 // gradebook.json: the class for programs (see gradebook.h).
 //
-// Written row by row. Scores are whole numbers; a row that is not entered has none. Read next:
+// Written row by row. Scores are whole numbers; a row that is not entered has none. The table of a
+// term is made of these files (term.h), so they say who each row counts for. Read next:
 // gradebook_csv.c.
 #include "gradebook.h"
 
 #include "complain.h"
 #include "output_file.h"
+#include "participant_fit.h"
 
 #include <jansson.h>
 
@@ -29,12 +31,66 @@ static json_t *checks_json(const Gradebook *gradebook, const Row *row)
     return failed;
 }
 
-static json_t *row_json(const Gradebook *gradebook, const Row *row)
+// ---- Whose it is -----------------------------------------------------------------------------
+
+static json_t *participant_json(const Worksheet *worksheet, const Participant *participant)
+{
+    char name[ENTRY_NAME_BYTES];
+    participant_name(worksheet, participant, name);
+    return json_pack("{s:s, s:s, s:s}", "name", name, "address",
+                     participant_address(worksheet, participant), "id_number",
+                     participant_sid(worksheet, participant));
+}
+
+// Who a row counts for, as far as a list or the export says it.
+static json_t *owners_json(const Row *row, const Worksheet *worksheet)
+{
+    json_t *owners = json_array();
+    for (int i = 1; worksheet != NULL && i < worksheet->n_participants; i++) {
+        if (worksheet->participants[i].row == row) {
+            json_array_append_new(owners, participant_json(worksheet, &worksheet->participants[i]));
+        }
+    }
+    for (int i = 0; worksheet == NULL && i < row->entrant->n_members; i++) {
+        const Member *member = &row->entrant->members[i];
+        json_array_append_new(owners, json_pack("{s:s, s:s, s:s}", "name", member->name, "address",
+                                                member->email, "id_number", member->sid));
+    }
+    return owners;
+}
+
+// Those of the list who have no row: nothing is theirs, or not for certain.
+static json_t *without_json(const Worksheet *worksheet)
+{
+    json_t *list = json_array();
+    for (int i = 1; worksheet != NULL && i < worksheet->n_participants; i++) {
+        const Participant *participant = &worksheet->participants[i];
+        if (participant->row != NULL || participant->is_nobody) {
+            continue;
+        }
+        json_t *json = participant_json(worksheet, participant);
+        json_object_set_new(json, "status",
+                            json_string(participant->is_fitted ? "not entered" : "no submission"));
+        json_array_append_new(list, json);
+    }
+    return list;
+}
+
+// ---- A row -----------------------------------------------------------------------------------
+
+static json_t *row_json(const Gradebook *gradebook, const Row *row, const Worksheet *worksheet)
 {
     const Entrant *entrant = row->entrant;
     json_t *json = json_pack("{s:s, s:s, s:s, s:i, s:s, s:s}", "id", entrant->slug, "name",
                              entrant->name, "number", entrant->number, "attempt", entrant->attempt,
                              "entry", entrant->entry, "status", row_status_name(row->status));
+    json_object_set_new(json, "counts", json_boolean(row_that_counts(gradebook, row) == row));
+    json_object_set_new(json, "owners", owners_json(row, worksheet));
+    const char *why_not =
+        worksheet != NULL ? worksheet->entered[row - gradebook->rows].why_not : NULL;
+    if (why_not != NULL) {
+        json_object_set_new(json, "not_entered", json_string(why_not));
+    }
     if (row->reason != NULL) {
         json_object_set_new(json, "reason", json_string(row->reason));
     }
@@ -87,7 +143,7 @@ static json_t *tasks_json(const Gradebook *gradebook)
     return tasks;
 }
 
-int gradebook_json(const Gradebook *gradebook, const char *path)
+int gradebook_json(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
 {
     OutputFile output;
     if (output_file_open(&output, path) != 0) {
@@ -107,9 +163,11 @@ int gradebook_json(const Gradebook *gradebook, const char *path)
     fputs(",\n\"students\": [", file);
     for (int i = 0; i < gradebook->n_rows; i++) {
         fputs(i > 0 ? ",\n" : "\n", file);
-        failed |= value_write(row_json(gradebook, &gradebook->rows[i]), file);
+        failed |= value_write(row_json(gradebook, &gradebook->rows[i], worksheet), file);
     }
-    fputs("\n]\n}\n", file);
+    fputs("\n],\n\"without\": ", file);
+    failed |= value_write(without_json(worksheet), file);
+    fputs("\n}\n", file);
     if (failed) {
         output_file_discard(&output);
         complain("gradebook: %s: cannot write", path);

@@ -192,7 +192,7 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, T
     }
     *tally = tally_count(gradebook, worksheet, look_alikes.n_groups);
     const int failed = gradebook_csv(gradebook, csv, worksheet) != 0 ||
-                       gradebook_json(gradebook, json) != 0 ||
+                       gradebook_json(gradebook, json, worksheet) != 0 ||
                        gradebook_page(gradebook, page, worksheet) != 0;
     if (!failed) {
         summary_print(gradebook, &look_alikes, tally);

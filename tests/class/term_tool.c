@@ -1,0 +1,116 @@
+// term: the gradebooks of several labs together.
+//
+//     term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...
+//
+// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv (term.h), and
+// prints what the instructor has to look at. Exit status: 0, or 2 after one message.
+#include "complain.h"
+#include "option_table.h"
+#include "path.h"
+#include "term.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { EXIT_WRITTEN = 0, EXIT_FAULT = 2 };
+
+static int usage(void)
+{
+    fputs("usage: term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...\n", stderr);
+    return EXIT_FAULT;
+}
+
+typedef struct TermOptions {
+    int pass, need, excel;
+    int help;
+} TermOptions;
+
+// Whoever else has an account here has no business with others' marks.
+static int output_make(const char *output)
+{
+    if (mkdir(output, 0770) != 0 && errno != EEXIST) {
+        complain("term: %s: %s", output, strerror(errno));
+        return -1;
+    }
+    return 0;
+}
+
+// One line for each lab, one for each row to look at, and what there is now.
+static void summary_print(const Term *term, const char *csv)
+{
+    for (int i = 0; i < term->n_labs; i++) {
+        int n = 0, n_passed = 0;
+        long sum = 0;
+        for (int p = 0; p < term->n_persons; p++) {
+            const Entry *entry = term->persons[p].entries[i];
+            if (entry != NULL && entry->has_score) {
+                n++;
+                sum += entry->score;
+                n_passed += entry->score >= term->pass;
+            }
+        }
+        printf("%s: %d with points, %d passed, mean %.1f of %d\n", term->labs[i].lab, n, n_passed,
+               n > 0 ? (double)sum / n : 0.0, term->labs[i].max_score);
+    }
+    int n_admitted = 0;
+    for (int p = 0; p < term->n_persons; p++) {
+        const Person *person = &term->persons[p];
+        n_admitted += term->need > 0 && strcmp(term_admission(term, person), "yes") == 0;
+        if (person->note != NULL || person->n_open > 0) {
+            printf("look at \"%s\": ", person->name);
+            term_note_write(stdout, term, person);
+            printf("\n");
+        }
+    }
+    printf("%d students in %d labs", term->n_persons, term->n_labs);
+    if (term->need > 0) {
+        printf(", %d admitted (NEED=%d, PASS=%d)", n_admitted, term->need, term->pass);
+    }
+    printf(": see %s\n", csv);
+}
+
+static int table_make(const TermOptions *options, const char *output, char *const *folders,
+                      int n_folders)
+{
+    Term term;
+    char csv[PATH_MAX];
+    path_make(csv, "%s/term.csv", output);
+    int failed = term_load(folders, n_folders, &term);
+    if (!failed) {
+        term.pass = options->pass;
+        term.need = options->need;
+        failed = term_join(&term) != 0 || output_make(output) != 0 ||
+                 term_csv(&term, csv, options->excel) != 0;
+    }
+    if (!failed) {
+        summary_print(&term, csv);
+    }
+    term_free(&term);
+    return failed ? EXIT_FAULT : EXIT_WRITTEN;
+}
+
+#define PLACE(member) offsetof(TermOptions, member)
+
+int main(int argc, char **argv)
+{
+    enum { N_ROWS = 4 };
+    static const OptionRow rows[N_ROWS] = {
+        {"pass", "POINTS", OPTION_NUMBER, PLACE(pass), 1, OPTION_LARGEST_NUMBER, 0, ""},
+        {"need", "N", OPTION_NUMBER, PLACE(need), 1, TERM_MAX_LABS, 0, ""},
+        {.name = "excel", .kind = OPTION_FLAG, .place = PLACE(excel)},
+        {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
+    };
+    const OptionTable table = {"term", rows, N_ROWS, .takes_words = 1};
+    TermOptions options = {.pass = 50};
+    const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
+    if (result != OPTIONS_RUN) {
+        return result == OPTIONS_DONE ? usage() : EXIT_FAULT;
+    }
+    argv += optind, argc -= optind;
+    if (argc >= 3 && strcmp(argv[0], "table") == 0) {
+        return table_make(&options, argv[1], argv + 2, argc - 2);
+    }
+    return usage();
+}
