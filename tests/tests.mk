@@ -38,10 +38,12 @@ feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=0
 $(OUT)/tools/term: $(call objects,tests/class/term_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 classes_in = set -f; test -n "$$CLASSES" || { echo 'make $@: say which folders: make $@ CLASSES="../grades-00 ../grades-03"' >&2; exit 2; }
-.PHONY: term
+.PHONY: term class-figures
 term: $(OUT)/tools/term  ## the labs of a term in one table: CLASSES="folder folder ..." [OUTPUT=folder] [PASS=points] [NEED=labs] [EXCEL=1]
 	@$(classes_in); $(OUT)/tools/term table $(if $(PASS),--pass "$$PASS") $(if $(NEED),--need "$$NEED") \
 	    $(if $(EXCEL),--excel) -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
+class-figures: $(OUT)/tools/term  ## where classes fail, by lab and check, without any names: CLASSES="folder folder ..." [OUTPUT=folder]
+	@$(classes_in); $(OUT)/tools/term figures -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 

@@ -27,12 +27,14 @@ typedef struct Row {
     char *seed;    // of the hidden scenes; NULL when not graded
     int score;
     int points[MANIFEST_MAX_TASKS];
-    char passed[RESULT_MAX_CHECKS];  // check i of the gradebook passed
-    char *fault;                     // title of the first stage or check that did not pass, or NULL
-    char *fault_id;                  // the check's id, "" for a stage
-    char *fault_message;             // the first line of what it said
-    const char *picture;             // "picture.png" or "picture.svg" beside the report, or NULL
-    double leaderboard;              // the figure of its race; 0: none
+    char passed[RESULT_MAX_CHECKS];   // check i of the gradebook passed
+    char not_run[RESULT_MAX_CHECKS];  // or could not be run
+    char *causes[RESULT_MAX_CHECKS];  // its known mistake, a fixed sentence, or NULL
+    char *fault;          // title of the first stage or check that did not pass, or NULL
+    char *fault_id;       // the check's id, "" for a stage
+    char *fault_message;  // the first line of what it said
+    const char *picture;  // "picture.png" or "picture.svg" beside the report, or NULL
+    double leaderboard;   // the figure of its race; 0: none
     int has_old_score;
     int old_score;  // in the gradebook that this one is compared with
 } Row;
@@ -40,6 +42,7 @@ typedef struct Row {
 typedef struct Column {
     char *id, *title;
     int max_points;  // of a task
+    char *task;      // of a check: the task's id; else NULL
 } Column;
 
 typedef struct Gradebook {

@@ -20,15 +20,27 @@ static json_t *points_json(const Gradebook *gradebook, const Row *row)
     return points;
 }
 
-static json_t *checks_json(const Gradebook *gradebook, const Row *row)
+// What became of the checks that did not pass.
+static void checks_add(json_t *json, const Gradebook *gradebook, const Row *row)
 {
-    json_t *failed = json_array();
+    json_t *not_passed = json_array();
+    json_t *not_run = json_array();
+    json_t *causes = json_object();
     for (int i = 0; i < gradebook->n_checks; i++) {
+        const char *id = gradebook->checks[i].id;
         if (!row->passed[i]) {
-            json_array_append_new(failed, json_string(gradebook->checks[i].id));
+            json_array_append_new(not_passed, json_string(id));
+        }
+        if (row->not_run[i]) {
+            json_array_append_new(not_run, json_string(id));
+        }
+        if (row->causes[i] != NULL) {
+            json_object_set_new(causes, id, json_string(row->causes[i]));
         }
     }
-    return failed;
+    json_object_set_new(json, "not_passed", not_passed);
+    json_object_set_new(json, "not_run", not_run);
+    json_object_set_new(json, "causes", causes);
 }
 
 // ---- Whose it is -----------------------------------------------------------------------------
@@ -105,7 +117,7 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row, const Worksh
     }
     if (row_is_graded(row)) {
         json_object_set_new(json, "points", points_json(gradebook, row));
-        json_object_set_new(json, "not_passed", checks_json(gradebook, row));
+        checks_add(json, gradebook, row);
     }
     if (row->fault != NULL) {
         json_object_set_new(json, "first_fault",
@@ -143,6 +155,17 @@ static json_t *tasks_json(const Gradebook *gradebook)
     return tasks;
 }
 
+static json_t *checks_json(const Gradebook *gradebook)
+{
+    json_t *checks = json_array();
+    for (int i = 0; i < gradebook->n_checks; i++) {
+        const Column *check = &gradebook->checks[i];
+        json_array_append_new(checks, json_pack("{s:s, s:s, s:s}", "id", check->id, "title",
+                                                check->title, "task", check->task));
+    }
+    return checks;
+}
+
 int gradebook_json(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
 {
     OutputFile output;
@@ -160,6 +183,8 @@ int gradebook_json(const Gradebook *gradebook, const char *path, const Worksheet
     }
     fprintf(file, ",\n\"max_score\": %d,\n\"tasks\": ", gradebook->max_score);
     failed |= value_write(tasks_json(gradebook), file);
+    fputs(",\n\"checks\": ", file);
+    failed |= value_write(checks_json(gradebook), file);
     fputs(",\n\"students\": [", file);
     for (int i = 0; i < gradebook->n_rows; i++) {
         fputs(i > 0 ? ",\n" : "\n", file);

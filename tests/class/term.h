@@ -69,6 +69,11 @@ const char *term_admission(const Term *term, const Person *person);
 // Returns 0, or -1 after one message on stderr.
 int term_csv(const Term *term, const char *path, int is_for_excel);
 
+// What each lab's checks found, with no word about any person: for whoever teaches it next. As a
+// JSON file; a short table of it is printed. Needs no term_join(). Returns 0, or -1 after one
+// message on stderr.
+int term_figures(const Term *term, const char *path);
+
 // What the row needs the instructor for, "" if for nothing. Writes one line without its end.
 void term_note_write(FILE *file, const Term *term, const Person *person);
 

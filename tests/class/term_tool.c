@@ -1,9 +1,11 @@
 // term: the gradebooks of several labs together.
 //
 //     term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...
+//     term figures OUTPUT FOLDER...
 //
-// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv (term.h), and
-// prints what the instructor has to look at. Exit status: 0, or 2 after one message.
+// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv, and prints what
+// the instructor has to look at. `figures` writes OUTPUT/class-figures.json, and prints which
+// checks fail most often (term.h). Exit status: 0, or 2 after one message.
 #include "complain.h"
 #include "option_table.h"
 #include "path.h"
@@ -18,7 +20,9 @@ enum { EXIT_WRITTEN = 0, EXIT_FAULT = 2 };
 
 static int usage(void)
 {
-    fputs("usage: term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...\n", stderr);
+    fputs("usage: term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...\n"
+          "       term figures OUTPUT FOLDER...\n",
+          stderr);
     return EXIT_FAULT;
 }
 
@@ -64,7 +68,7 @@ static void summary_print(const Term *term, const char *csv)
             printf("\n");
         }
     }
-    printf("%d students in %d labs", term->n_persons, term->n_labs);
+    printf("%d rows for %d labs", term->n_persons, term->n_labs);
     if (term->need > 0) {
         printf(", %d admitted (NEED=%d, PASS=%d)", n_admitted, term->need, term->pass);
     }
@@ -91,6 +95,20 @@ static int table_make(const TermOptions *options, const char *output, char *cons
     return failed ? EXIT_FAULT : EXIT_WRITTEN;
 }
 
+static int figures_make(const char *output, char *const *folders, int n_folders)
+{
+    Term term;
+    char path[PATH_MAX];
+    path_make(path, "%s/class-figures.json", output);
+    const int failed = term_load(folders, n_folders, &term) != 0 || output_make(output) != 0 ||
+                       term_figures(&term, path) != 0;
+    if (!failed) {
+        printf("Figures without names: %s\n", path);
+    }
+    term_free(&term);
+    return failed ? EXIT_FAULT : EXIT_WRITTEN;
+}
+
 #define PLACE(member) offsetof(TermOptions, member)
 
 int main(int argc, char **argv)
@@ -111,6 +129,9 @@ int main(int argc, char **argv)
     argv += optind, argc -= optind;
     if (argc >= 3 && strcmp(argv[0], "table") == 0) {
         return table_make(&options, argv[1], argv + 2, argc - 2);
+    }
+    if (argc >= 3 && strcmp(argv[0], "figures") == 0) {
+        return figures_make(argv[1], argv + 2, argc - 2);
     }
     return usage();
 }

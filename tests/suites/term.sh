@@ -59,12 +59,14 @@ gradebook g0 00-hello-pixels <<'END'
 {"id": "b-1", "name": "Grace Hopper", "status": "graded", "score": 50, "attempt": 2, "owners": [{"name": "Grace Hopper", "address": "grace@example.org", "id_number": ""}]}
 {"id": "t-1", "name": "Team 1", "status": "graded", "score": 70, "owners": [{"name": "Carol", "address": "carol@example.org", "id_number": ""}, {"name": "=Joan", "address": "joan@example.org", "id_number": "18"}]}
 {"id": "x-1", "name": "Ada Lovelace", "status": "graded", "score": 33, "not_entered": "line 2 of the list has another number than 99"}
+{"id": "p-1", "name": "Team 2", "status": "graded", "score": 11, "owners": [{"name": "Kim", "address": "kim@example.org", "id_number": ""}], "not_entered": "Lee fits no line of the list"}
 {"name": "Mary Shaw", "address": "mary@example.org", "id_number": "", "status": "no submission"}
 END
 gradebook g3 03-kdtree-2d-render <<'END'
 {"id": "a-2", "name": "lovelace", "status": "graded", "score": 60, "owners": [{"name": "A. Lovelace", "address": "ADA@example.org", "id_number": ""}]}
 {"id": "b-2", "name": "Grace Hopper", "status": "not graded", "reason": "no device"}
 {"id": "c-2", "name": "Carol", "status": "graded", "score": 49}
+{"id": "j-1", "name": "Joan Clarke", "status": "graded", "score": 5, "counts": false}
 {"id": "j-2", "name": "Joan Clarke", "status": "graded", "score": 100, "owners": [{"name": "Joan Clarke", "address": "", "id_number": "18"}]}
 {"id": "m-2", "name": "Mary Shaw", "status": "nothing of this lab"}
 END
@@ -83,9 +85,12 @@ check "who handed in nothing has a row" line '"Mary Shaw","mary@example.org","",
 check "what was entered for nobody is joined with nobody" line \
     '"Ada Lovelace","","",33,,33,200,0,"no","to be decided by you"'
 check "and a line names it" said 'look at "Ada Lovelace": to be decided by you'
-check "nobody else has a row" test "$(wc -l <"$out/term.csv")" -eq 7
+check "a team that is entered for one of two only is that one's" line \
+    '"Kim","kim@example.org","",11,,11,200,0,"no",""'
+check "and has a row of its own, too" line '"Team 2","","",11,,11,200,0,"no","to be decided by you"'
+check "nobody else has a row" test "$(wc -l <"$out/term.csv")" -eq 9
 check "no point is lost" same_sums g0 g3
-check "the last line counts" said "6 students in 2 labs, 2 admitted (NEED=2, PASS=50): see $out/term.csv"
+check "the last line counts" said "8 rows for 2 labs, 2 admitted (NEED=2, PASS=50): see $out/term.csv"
 check "others cannot read it" test "$(stat -c %a "$out" | cut -c 3)" = 0
 check "other points to pass" table 0 --need 1 --pass 71 "$out" g0 g3
 check "change who is admitted" line '"Carol","carol@example.org","",70,49,119,200,0,"no",""'
@@ -123,6 +128,37 @@ check "for Excel" table 0 --excel "$out" g0 g3
 check "with its mark" test "$(head -c 3 "$out/term.csv" | od -An -tx1)" = " ef bb bf"
 check "with semicolons" line '"Carol";"carol@example.org";"";70;49;119;200;1;""'
 
+# ---- For the next year --------------------------------------------------------------------------
+
+figures() { (cd "$scratch" && "$term" figures "$@") >"$scratch/said" 2>&1 </dev/null; }
+mkdir "$scratch/g4"
+jq '.tasks = [{id: "search", title: "The search", max_points: 60}, {id: "leaf", title: "A leaf", max_points: 40}] |
+    .checks = [{id: "near", title: "The near child", task: "search"}, {id: "far", title: "The far child", task: "search"},
+        {id: "loop", title: "The loop", task: "leaf"}] |
+    .students |= map(. + {number: "PRIVATE", reason: "PRIVATE", report: "PRIVATE", seed: "PRIVATE",
+            first_fault: {title: "PRIVATE", check: "PRIVATE", message: "PRIVATE"},
+            points: {search: 30, leaf: 0}, not_passed: ["far", "loop"], not_run: ["loop"],
+            causes: {far: "the far child is never visited"}} |
+        if .id == "a-2" then .causes.far = "a child is missing" | .not_run = [] else . end |
+        if .status != "graded" then del(.points) else . end |
+        .id = "PRIVATE" | .name = "PRIVATE" | .entry = "PRIVATE" | .owners |= map_values(map_values("PRIVATE"))) |
+    .without |= map(map_values("PRIVATE"))' \
+    "$scratch/g3/gradebook.json" >"$scratch/g4/gradebook.json"
+check "figures without names" exits 0 figures "$out" g4
+jq -e '.labs == [{lab: "03-kdtree-2d-render", title: "A lab", submissions: 3,
+    tasks: [{task: "search", title: "The search", max_points: 60, mean: 30}, {task: "leaf", title: "A leaf", max_points: 40, mean: 0}],
+    checks: [{check: "near", title: "The near child", task: "search", failed: 0, not_run: 0, causes: []},
+        {check: "far", title: "The far child", task: "search", failed: 3, not_run: 0,
+            causes: [{cause: "the far child is never visited", submissions: 2}, {cause: "a child is missing", submissions: 1}]},
+        {check: "loop", title: "The loop", task: "leaf", failed: 1, not_run: 2, causes: []}]}]' \
+    "$out/class-figures.json" >/dev/null
+ok $? "what failed, how often, and why" "$(cat "$out/class-figures.json")"
+! grep -q PRIVATE "$out/class-figures.json" "$scratch/said"
+ok $? "nothing of a person is in them" "$(grep PRIVATE "$out/class-figures.json" "$scratch/said")"
+check "the table has what fails most often" said \
+    "  3 failed far (task search), 2 of them: the far child is never visited"
+check "then the rest" said "  1 failed loop (task leaf)"
+
 # ---- What is refused ----------------------------------------------------------------------------
 
 rm -rf "$out"
@@ -148,6 +184,10 @@ refused "old/gradebook.json: nothing was graded there: leave this folder out" "$
 echo '[]' >"$scratch/old/gradebook.json"
 refused 'old/gradebook.json: no list "students": not a gradebook.json' "$out" old
 refused '--pass: found "x"' --pass x "$out" g0
+jq 'del(.checks)' "$scratch/g4/gradebook.json" >"$scratch/old/gradebook.json"
+check "figures of an older gradebook are refused" exits 2 figures "$out" old
+check "with what to do" said "old/gradebook.json: of an older version: run make grade-class for it again"
+check "and nothing is written" test ! -e "$out/class-figures.json"
 
 # Names are words: make and the shell run nothing of them, and expand nothing.
 # shellcheck disable=SC2016 # signs that nothing expands
@@ -156,10 +196,38 @@ cp -R "$scratch/g0" "$scratch/$hostile"
 cp -R "$scratch/g3" "$scratch/${hostile%\*}x"
 make_term() { make --no-print-directory --old-file="$term" term "BUILD=${BUILD:-build}" "$@" >"$scratch/said" 2>&1; }
 check "make term" exits 0 make_term "CLASSES=$scratch/t1 $scratch/$hostile" "OUTPUT=$out" NEED=1 PASS=60
-check "takes a folder's name as it is" said "9 students in 2 labs, 3 admitted (NEED=1, PASS=60)"
+check "takes a folder's name as it is" said "11 rows for 2 labs, 3 admitted (NEED=1, PASS=60)"
 [ ! -e names-trap ]
 ok $? "and runs nothing of it"
 rm -f names-trap
+check "make class-figures" exits 0 make --no-print-directory --old-file="$term" class-figures "BUILD=${BUILD:-build}" \
+    "CLASSES=$scratch/g4" "OUTPUT=$out"
+check "writes them" test -s "$out/class-figures.json"
 check "without CLASSES it says what to do" exits 2 make_term
 check "in one line" said 'say which folders: make term CLASSES="../grades-00 ../grades-03"'
+
+# ---- Of classes that were graded ----------------------------------------------------------------
+
+# One real grading, of a wrong answer, which everybody gets.
+cp -R solutions/$lab "$scratch/flipped"
+"$build/tools/holes" fill solutions/$lab/gradient.cl gradient tests/mutants/$lab/flipped.cl >"$scratch/flipped/gradient.cl"
+check "the results that everybody gets" exits 1 "$build/tools/grade" --build "$build" --lab 0 \
+    --submission "$scratch/flipped" --output "$scratch/wrong"
+stand_in "$scratch/wrong"
+cat >"$scratch/list.csv" <<'END'
+Identifier,"Full name","Email address","ID number",Status,Grade
+"Participant 7","Carol Shaw",carol@example.org,0042,Submitted,
+"Participant 8","Jean Bartik",jean@example.org,0043,Submitted,
+END
+mkdir -p "$class/Carol Shaw_7_assignsubmission_file_" "$class/Nobody_9_assignsubmission_file_"
+check "a class by a list" exits 1 run "$scratch/real" --moodle "$scratch/list.csv"
+check "goes into a table" table 0 "$out" real g3
+score=$(jq .score "$scratch/wrong/results.json")
+check "with the list's address and number" line "\"Carol Shaw\",\"carol@example.org\",\"0042\",$score,,$score,200,1,\"\""
+check "who may be any of the list is open" line \
+    '"Jean Bartik","jean@example.org","0043",,,0,200,0,"00-hello-pixels not entered"'
+check "what is nobody's has a row" line "\"Nobody\",\"\",\"\",$score,,$score,200,1,\"to be decided by you\""
+check "figures of it" exits 0 figures "$out" real
+check "name the known mistake" jq -e '.labs[0] | .submissions == 2 and
+    any(.checks[].causes[]; .cause == "it looks flipped top to bottom" and .submissions == 2)' "$out/class-figures.json"
 finish
