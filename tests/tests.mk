@@ -21,12 +21,12 @@ $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libc
 
 grader: $(addprefix $(OUT)/tools/,holes gradebook term mutants mutate pairs)
 .PHONY: grade-class
-grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json] [NOTHING=0|blank]
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
-	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(NAMES),--names "$$NAMES") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 .PHONY: feedback

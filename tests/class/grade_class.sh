@@ -13,6 +13,7 @@
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
 #     --against FILE.json    an older gradebook.json, to compare scores with
 #     --nothing 0|blank      what gradebooks have for who handed in nothing of this lab (blank)
+#     --names no             also a page for the lecture hall, without names
 #     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
 #
 # Killed at any point, the same command goes on where it stopped. A submission is graded when its
@@ -50,7 +51,7 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' against='' nothing=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' against='' nothing='' names=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -66,6 +67,7 @@ while [ $# -gt 0 ]; do
     --moodle) moodle=$2 ;;
     --against) against=$2 ;;
     --nothing) nothing=$2 ;;
+    --names) names=$2 ;;
     --device) CLASS_DEVICE=$2 ;;
     --time-limit) CLASS_TIME_LIMIT=$2 ;;
     *) die "$1: no such option" ;;
@@ -93,6 +95,10 @@ esac
 case $nothing in
 '' | 0 | blank) ;;
 *) die "--nothing: found \"$nothing\", expected 0 or blank" ;;
+esac
+case $names in
+'' | no) ;;
+*) die "--names: found \"$names\", expected no" ;;
 esac
 [ -z "$jobs" ] || whole --jobs "$jobs"
 [ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
@@ -289,4 +295,4 @@ while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
     round=$((round + 1))
 done
 
-"$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" "$CLASS_FOLDER"
+"$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" ${names:+--names "$names"} "$CLASS_FOLDER"

@@ -21,6 +21,7 @@ typedef enum RowStatus {
 
 typedef struct Row {
     const Entrant *entrant;
+    int number;  // in the place of the name, on the page without names; else 0
     RowStatus status;
     char *reason;  // why it is not graded, or what was handed in instead; or NULL
     int has_log;   // logs/SLUG.txt tells more
@@ -60,6 +61,7 @@ typedef struct Gradebook {
     int n_nothing;        // rows with nothing of this lab
     int nothing_is_zero;  // such a row is entered as 0; else its score stays blank
     int has_old_scores;   // there is something to compare with
+    int has_no_names;     // rows have numbers: made for the page without names
     Roster roster;
 } Gradebook;
 
@@ -92,5 +94,9 @@ struct Worksheet;
 int gradebook_csv(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 int gradebook_json(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 int gradebook_page(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
+
+// The page without names, for the lecture hall: one row for each student, numbered by score, and
+// nothing that a student wrote. Returns as above.
+int gradebook_page_without_names(const Gradebook *gradebook, const char *path);
 
 #endif

@@ -4,8 +4,6 @@
 #ifndef CLASS_TERM_H
 #define CLASS_TERM_H
 
-#include <stdio.h>
-
 enum { TERM_MAX_LABS = 100 };
 
 typedef struct TermLab {
@@ -74,7 +72,18 @@ int term_csv(const Term *term, const char *path, int is_for_excel);
 // message on stderr.
 int term_figures(const Term *term, const char *path);
 
-// What the row needs the instructor for, "" if for nothing. Writes one line without its end.
-void term_note_write(FILE *file, const Term *term, const Person *person);
+// The same as a page, term.html.
+int term_page(const Term *term, const char *path);
+
+// What the row needs the instructor for, in one line, "" if for nothing. NULL: memory ran out.
+// free() it.
+char *term_note(const Term *term, const Person *person);
+
+// How the rows did in a lab.
+typedef struct TermCount {
+    int n_scores, n_passed;
+    double mean;  // of the scores that there are; 0 where there is none
+} TermCount;
+TermCount term_count(const Term *term, int lab);
 
 #endif

@@ -1,7 +1,7 @@
 // term.csv: a row for each student, a column for each lab (see term.h).
 //
 // No cell is a formula (csv_cell.h). A score that is missing is a blank, and no zero. Read next:
-// term_tool.c.
+// term_page.c.
 #include "term.h"
 
 #include "csv_cell.h"
@@ -10,9 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-void term_note_write(FILE *file, const Term *term, const Person *person)
+char *term_note(const Term *term, const Person *person)
 {
     const char *between = "";
+    char *note = NULL;
+    size_t size;
+    FILE *file = open_memstream(&note, &size);
+    if (file == NULL) {
+        return NULL;
+    }
     if (person->note != NULL) {
         fputs(person->note, file);
         between = "; ";
@@ -24,6 +30,8 @@ void term_note_write(FILE *file, const Term *term, const Person *person)
             between = "; ";
         }
     }
+    fclose(file);
+    return note;
 }
 
 static void cell_write(FILE *file, char between, const char *text)
@@ -50,19 +58,6 @@ static void head_write(FILE *file, const Term *term, char between)
     fputc('\n', file);
 }
 
-static void note_cell_write(FILE *file, const Term *term, const Person *person, char between)
-{
-    char *note = NULL;
-    size_t size;
-    FILE *text = open_memstream(&note, &size);
-    if (text != NULL) {
-        term_note_write(text, term, person);
-        fclose(text);
-    }
-    cell_write(file, between, note != NULL ? note : "");
-    free(note);
-}
-
 static void row_write(FILE *file, const Term *term, const Person *person, char between)
 {
     csv_cell_write(file, person->name);
@@ -80,7 +75,9 @@ static void row_write(FILE *file, const Term *term, const Person *person, char b
     if (term->need > 0) {
         cell_write(file, between, term_admission(term, person));
     }
-    note_cell_write(file, term, person, between);
+    char *note = term_note(term, person);
+    cell_write(file, between, note != NULL ? note : "");
+    free(note);
     fputc('\n', file);
 }
 

@@ -255,3 +255,18 @@ const char *term_admission(const Term *term, const Person *person)
            : person->n_passed + person->n_open >= term->need ? "open"
                                                              : "no";
 }
+
+TermCount term_count(const Term *term, int lab)
+{
+    TermCount count = {0};
+    for (int i = 0; i < term->n_persons; i++) {
+        const Entry *entry = term->persons[i].entries[lab];
+        if (entry != NULL && entry->has_score) {
+            count.n_scores++;
+            count.n_passed += entry->score >= term->pass;
+            count.mean += entry->score;
+        }
+    }
+    count.mean = count.n_scores > 0 ? count.mean / count.n_scores : 0;
+    return count;
+}

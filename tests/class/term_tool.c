@@ -3,9 +3,10 @@
 //     term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...
 //     term figures OUTPUT FOLDER...
 //
-// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv, and prints what
+// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv and term.html, and prints what
 // the instructor has to look at. `figures` writes OUTPUT/class-figures.json, and prints which
 // checks fail most often (term.h). Exit status: 0, or 2 after one message.
+#include "clean_text.h"
 #include "complain.h"
 #include "option_table.h"
 #include "path.h"
@@ -13,6 +14,8 @@
 
 #include <errno.h>
 #include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -42,54 +45,48 @@ static int output_make(const char *output)
 }
 
 // One line for each lab, one for each row to look at, and what there is now.
-static void summary_print(const Term *term, const char *csv)
+static void summary_print(const Term *term, const char *csv,
+                          const char *page)
 {
     for (int i = 0; i < term->n_labs; i++) {
-        int n = 0, n_passed = 0;
-        long sum = 0;
-        for (int p = 0; p < term->n_persons; p++) {
-            const Entry *entry = term->persons[p].entries[i];
-            if (entry != NULL && entry->has_score) {
-                n++;
-                sum += entry->score;
-                n_passed += entry->score >= term->pass;
-            }
-        }
-        printf("%s: %d with points, %d passed, mean %.1f of %d\n", term->labs[i].lab, n, n_passed,
-               n > 0 ? (double)sum / n : 0.0, term->labs[i].max_score);
+        const TermCount count = term_count(term, i);
+        printf("%s: %d with points, %d passed, mean %.1f of %d\n", term->labs[i].lab,
+               count.n_scores, count.n_passed, count.mean, term->labs[i].max_score);
     }
     int n_admitted = 0;
     for (int p = 0; p < term->n_persons; p++) {
         const Person *person = &term->persons[p];
         n_admitted += term->need > 0 && strcmp(term_admission(term, person), "yes") == 0;
         if (person->note != NULL || person->n_open > 0) {
-            printf("look at \"%s\": ", person->name);
-            term_note_write(stdout, term, person);
-            printf("\n");
+            char *note = term_note(term, person);
+            char *name = line_clean(person->name);
+            printf("look at \"%s\": %s\n", name, note != NULL ? note : "");
+            free(name), free(note);
         }
     }
     printf("%d rows for %d labs", term->n_persons, term->n_labs);
     if (term->need > 0) {
         printf(", %d admitted (NEED=%d, PASS=%d)", n_admitted, term->need, term->pass);
     }
-    printf(": see %s\n", csv);
+    printf(": see %s, %s\n", csv, page);
 }
 
 static int table_make(const TermOptions *options, const char *output, char *const *folders,
                       int n_folders)
 {
     Term term;
-    char csv[PATH_MAX];
+    char csv[PATH_MAX], page[PATH_MAX];
     path_make(csv, "%s/term.csv", output);
+    path_make(page, "%s/term.html", output);
     int failed = term_load(folders, n_folders, &term);
     if (!failed) {
         term.pass = options->pass;
         term.need = options->need;
         failed = term_join(&term) != 0 || output_make(output) != 0 ||
-                 term_csv(&term, csv, options->excel) != 0;
+                 term_csv(&term, csv, options->excel) != 0 || term_page(&term, page) != 0;
     }
     if (!failed) {
-        summary_print(&term, csv);
+        summary_print(&term, csv, page);
     }
     term_free(&term);
     return failed ? EXIT_FAULT : EXIT_WRITTEN;

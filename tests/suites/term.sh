@@ -50,6 +50,14 @@ print(all(sum(int(cell or 0) for cell in row[3:n]) == int(row[n]) for row in row
     [ "$total" = True ] || { cat "$out/term.csv"; return 1; }
 }
 
+page_of_markup() {
+    gradebook markup 00-hello-pixels <<'END'
+{"id": "a-1", "name": "<b>Ada</b>", "status": "graded", "score": 9}
+END
+    add_up "$scratch/markup.out" markup && grep -qF '&lt;b&gt;Ada&lt;/b&gt;' "$scratch/markup.out/term.html" &&
+        ! grep -qF '<b>Ada' "$scratch/markup.out/term.html"
+}
+
 # ---- Who is who ---------------------------------------------------------------------------------
 
 # In lab 00 a list was given; in lab 03 there are addresses only, and a name.
@@ -90,13 +98,19 @@ check "a team that is entered for one of two only is that one's" line \
 check "and has a row of its own, too" line '"Team 2","","",11,,11,200,0,"no","to be decided by you"'
 check "nobody else has a row" test "$(wc -l <"$out/term.csv")" -eq 9
 check "no point is lost" same_sums g0 g3
-check "the last line counts" said "8 rows for 2 labs, 2 admitted (NEED=2, PASS=50): see $out/term.csv"
+check "the last line counts" said "8 rows for 2 labs, 2 admitted (NEED=2, PASS=50): see $out/term.csv, $out/term.html"
 check "others cannot read it" test "$(stat -c %a "$out" | cut -c 3)" = 0
 check "other points to pass" table 0 --need 1 --pass 71 "$out" g0 g3
 check "change who is admitted" line '"Carol","carol@example.org","",70,49,119,200,0,"no",""'
 cp "$out/term.csv" "$scratch/before.csv"
 check "the folders in another order" table 0 --need 1 --pass 71 "$out" g3 g0
 check "give the same bytes" cmp "$out/term.csv" "$scratch/before.csv"
+
+check "the page has the same" grep -qF \
+    '<b>170</b> / 200' "$out/term.html"
+sed -n '/^<tr>.*>Ada Lovelace/,/tr>$/p' "$out/term.html" | grep -q '>to be decided by you<'
+ok $? "with notes"
+check "names are no markup" page_of_markup
 
 # Two of one name.
 gradebook t0 00-hello-pixels <<'END'
@@ -194,13 +208,13 @@ check "and nothing is written" test ! -e "$out/class-figures.json"
 hostile='g$(touch${IFS}names-trap);`id`*'
 cp -R "$scratch/g0" "$scratch/$hostile"
 cp -R "$scratch/g3" "$scratch/${hostile%\*}x"
-make_term() { make --no-print-directory --old-file="$term" term "BUILD=${BUILD:-build}" "$@" >"$scratch/said" 2>&1; }
+make_term() { make --no-print-directory --old-file="${BUILD:-build}/tools/term" term "BUILD=${BUILD:-build}" "$@" >"$scratch/said" 2>&1; }
 check "make term" exits 0 make_term "CLASSES=$scratch/t1 $scratch/$hostile" "OUTPUT=$out" NEED=1 PASS=60
 check "takes a folder's name as it is" said "11 rows for 2 labs, 3 admitted (NEED=1, PASS=60)"
 [ ! -e names-trap ]
 ok $? "and runs nothing of it"
 rm -f names-trap
-check "make class-figures" exits 0 make --no-print-directory --old-file="$term" class-figures "BUILD=${BUILD:-build}" \
+check "make class-figures" exits 0 make --no-print-directory --old-file="${BUILD:-build}/tools/term" class-figures "BUILD=${BUILD:-build}" \
     "CLASSES=$scratch/g4" "OUTPUT=$out"
 check "writes them" test -s "$out/class-figures.json"
 check "without CLASSES it says what to do" exits 2 make_term
@@ -208,26 +222,64 @@ check "in one line" said 'say which folders: make term CLASSES="../grades-00 ../
 
 # ---- Of classes that were graded ----------------------------------------------------------------
 
-# One real grading, of a wrong answer, which everybody gets.
+# Real gradings: right, a wrong answer, and one that does not compile, whose report quotes it.
 cp -R solutions/$lab "$scratch/flipped"
 "$build/tools/holes" fill solutions/$lab/gradient.cl gradient tests/mutants/$lab/flipped.cl >"$scratch/flipped/gradient.cl"
-check "the results that everybody gets" exits 1 "$build/tools/grade" --build "$build" --lab 0 \
-    --submission "$scratch/flipped" --output "$scratch/wrong"
-stand_in "$scratch/wrong"
+cp -R solutions/$lab "$scratch/broken"
+printf '#error PRIVATE\n' >"$scratch/error.cl"
+"$build/tools/holes" fill solutions/$lab/gradient.cl gradient "$scratch/error.cl" >"$scratch/broken/gradient.cl"
+# graded STATUS SUBMISSION RESULTS
+graded() {
+    exits "$1" "$build/tools/grade" --build "$build" --lab 0 --submission "$2" --output "$3"
+}
+check "a right answer" graded 0 solutions/$lab "$scratch/right"
+check "a wrong answer" graded 1 "$scratch/flipped" "$scratch/wrong"
+check "one that does not compile" graded 1 "$scratch/broken" "$scratch/quoted"
+stand_in "$scratch/wrong" "
+if [ -e \"\$submission/right\" ]; then cp -R '$scratch/right/.' \"\$output\"; exit; fi
+if [ -e \"\$submission/broken\" ]; then cp -R '$scratch/quoted/.' \"\$output\"; exit 1; fi"
 cat >"$scratch/list.csv" <<'END'
 Identifier,"Full name","Email address","ID number",Status,Grade
 "Participant 7","Carol Shaw",carol@example.org,0042,Submitted,
 "Participant 8","Jean Bartik",jean@example.org,0043,Submitted,
+"Participant 9","Zoe Early",zoe@example.org,0044,Submitted,
+"Participant 10","Bob Kilby",bob@example.org,0045,Submitted,
 END
-mkdir -p "$class/Carol Shaw_7_assignsubmission_file_" "$class/Nobody_9_assignsubmission_file_"
+for student in "Carol Shaw_7" Nobody_99 "Zoe Early_9" "Bob Kilby_10"; do
+    mkdir -p "$class/${student}_assignsubmission_file_"
+done
+: >"$class/Zoe Early_9_assignsubmission_file_/right"
+: >"$class/Bob Kilby_10_assignsubmission_file_/broken"
 check "a class by a list" exits 1 run "$scratch/real" --moodle "$scratch/list.csv"
 check "goes into a table" table 0 "$out" real g3
 score=$(jq .score "$scratch/wrong/results.json")
-check "with the list's address and number" line "\"Carol Shaw\",\"carol@example.org\",\"0042\",$score,,$score,200,1,\"\""
+check "with the list's address and number" line \
+    "\"Carol Shaw\",\"carol@example.org\",\"0042\",$score,,$score,200,1,\"\""
 check "who may be any of the list is open" line \
     '"Jean Bartik","jean@example.org","0043",,,0,200,0,"00-hello-pixels not entered"'
 check "what is nobody's has a row" line "\"Nobody\",\"\",\"\",$score,,$score,200,1,\"to be decided by you\""
 check "figures of it" exits 0 figures "$out" real
-check "name the known mistake" jq -e '.labs[0] | .submissions == 2 and
+check "name the known mistake" jq -e '.labs[0] | .submissions == 4 and
     any(.checks[].causes[]; .cause == "it looks flipped top to bottom" and .submissions == 2)' "$out/class-figures.json"
+! grep -q PRIVATE "$out/class-figures.json"
+ok $? "and quote nothing"
+
+# ---- The page for the lecture hall --------------------------------------------------------------
+
+page=$scratch/real/class-no-names.html
+check "the page without names is not made unless it is asked for" test ! -e "$page"
+check "another word is refused" exits 2 run "$scratch/real" --names off
+check "with what is expected" said '--names: found "off", expected no'
+check "with NAMES=no it is made" exits 1 run "$scratch/real" --moodle "$scratch/list.csv" --names no
+# Of the style sheet and the policy nothing is looked at.
+sed '1,/<main/d' "$page" >"$scratch/shown" 2>/dev/null
+! grep -niE 'carol|shaw|jean|bartik|zoe|early|bob|kilby|nobody|PRIVATE|students/|logs/|src=|id="[a-z]*-' "$scratch/shown" &&
+    grep -q PRIVATE "$scratch/real/class.html"
+ok $? "it has no name, no link to a report, and nothing that a student wrote" "$(cat "$scratch/shown")"
+# rows: the number and score of each row of its table
+rows() { grep -o '<td class="name">No. [0-9]*</td><td class="number"><b>[0-9]*' "$scratch/shown" | sed 's/[^0-9]*\([0-9]*\)[^0-9]*/\1 /g'; }
+check "the numbers are in the order of the scores" test "$(rows | tr -d '\n')" = "1 100 2 $score 3 $score 4 $(jq .score "$scratch/quoted/results.json") "
+check "who failed alike is listed by number" grep -q 'No. 2 &middot; No. 3' "$scratch/shown"
+check "without NAMES=no an older one is removed" exits 1 run "$scratch/real" --moodle "$scratch/list.csv"
+check "as its scores would be old" test ! -e "$page"
 finish
