@@ -19,21 +19,32 @@ $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
-grader: $(addprefix $(OUT)/tools/,holes gradebook mutants mutate pairs)
+grader: $(addprefix $(OUT)/tools/,holes gradebook term mutants mutate pairs)
 .PHONY: grade-class
-grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv] [AGAINST=gradebook.json] [NOTHING=0|blank]
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
 	    $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") \
-	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(DEVICE),--device "$$DEVICE") \
+	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(NAMES),--names "$$NAMES") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 .PHONY: feedback
 feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|mail|folders [OUTPUT=folder] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv]
 	@$(say_which_lab)
 	@$(OUT)/tools/gradebook feedback $(if $(MOODLE),--moodle "$$MOODLE") $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
+
+# The folders of CLASSES are words; the shell expands nothing in them (set -f).
+$(OUT)/tools/term: $(call objects,tests/class/term_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
+classes_in = set -f; test -n "$$CLASSES" || { echo 'make $@: say which folders: make $@ CLASSES="../grades-00 ../grades-03"' >&2; exit 2; }
+.PHONY: term class-figures
+term: $(OUT)/tools/term  ## the labs of a term in one table: CLASSES="folder folder ..." [OUTPUT=folder] [PASS=points] [NEED=labs] [EXCEL=1]
+	@$(classes_in); $(OUT)/tools/term table $(if $(PASS),--pass "$$PASS") $(if $(NEED),--need "$$NEED") \
+	    $(if $(EXCEL),--excel) -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
+class-figures: $(OUT)/tools/term  ## where classes fail, by lab and check, without any names: CLASSES="folder folder ..." [OUTPUT=folder]
+	@$(classes_in); $(OUT)/tools/term figures -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 

@@ -5,6 +5,7 @@
 // folder, so that the folder can be moved as a whole. Read next: class_page.h, its parts.
 #include "class_page.h"
 
+#include "complain.h"
 #include "corrections.h"
 #include "html.h"
 #include "output_file.h"
@@ -16,6 +17,10 @@
 void class_name_write(FILE *page, const Row *row)
 {
     const Entrant *entrant = row->entrant;
+    if (row->number > 0) {
+        fprintf(page, "No. %d", row->number);
+        return;
+    }
     const int has_report = row->status != ROW_NOT_GRADED;
     if (has_report) {
         fprintf(page, "<a href=\"students/%s/report.html\">", entrant->slug);
@@ -74,6 +79,7 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     free(scores);
 }
 
+//   tally   NULL on the page without names, which is not for those who have something to decide
 static void head_write(FILE *page, const Gradebook *gradebook, const Tally *tally,
                        int has_leaderboard)
 {
@@ -81,16 +87,20 @@ static void head_write(FILE *page, const Gradebook *gradebook, const Tally *tall
     html_line(page, gradebook->lab != NULL ? gradebook->lab : "");
     fputs("</p>\n<h1>", page);
     html_line(page, gradebook->title != NULL ? gradebook->title : "");
-    fputs(": the class</h1>\n<p>", page);
-    tally_write(page, tally);
-    fputs(".</p>\n", page);
+    fputs(": the class</h1>\n", page);
+    if (tally != NULL) {
+        fputs("<p>", page);
+        tally_write(page, tally);
+        fputs(".</p>\n", page);
+    }
     facts_write(page, gradebook);
     class_histogram_write(page, gradebook);
     fprintf(page,
             "<nav><a href=\"#failures\">What went wrong</a> <a href=\"#checks\">Checks</a> %s"
-            "<a href=\"#table\">Every submission</a> <a href=\"#gallery\">Pictures</a></nav>\n"
+            "<a href=\"#table\">Every submission</a>%s</nav>\n"
             "</header>\n",
-            has_leaderboard ? "<a href=\"#leaderboard\">Leaderboard</a> " : "");
+            has_leaderboard ? "<a href=\"#leaderboard\">Leaderboard</a> " : "",
+            tally != NULL ? " <a href=\"#gallery\">Pictures</a>" : "");
 }
 
 // A row of a list before the table: whose it is, and why it is listed.
@@ -220,7 +230,11 @@ static void old_score_write(FILE *page, const Row *row)
 
 static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
 {
-    fprintf(page, "<tr id=\"%s\"><td class=\"name\">", row->entrant->slug);
+    if (row->number > 0) {
+        fputs("<tr><td class=\"name\">", page);
+    } else {
+        fprintf(page, "<tr id=\"%s\"><td class=\"name\">", row->entrant->slug);
+    }
     class_name_write(page, row);
     if (row->status == ROW_OUTDATED) {
         fputs(" <span class=\"soft\">outdated</span>", page);
@@ -276,17 +290,20 @@ static void page_write(FILE *page, const Gradebook *gradebook, const Failures *f
                        const Worksheet *worksheet)
 {
     const Tally tally = tally_count(gradebook, worksheet, look_alikes->n_groups);
+    const int has_names = !gradebook->has_no_names;
     char title[256];
     snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
     html_album_begin(page, title);
-    head_write(page, gradebook, &tally, leaderboard->n_places > 0);
-    nothing_write(page, gradebook);
-    undecided_write(page, gradebook, worksheet);
-    passed_over_write(page, &gradebook->roster);
-    not_graded_write(page, gradebook);
-    class_look_alikes_write(page, look_alikes);
-    class_corrections_write(page, gradebook);
-    class_changes_write(page, gradebook);
+    head_write(page, gradebook, has_names ? &tally : NULL, leaderboard->n_places > 0);
+    if (has_names) {
+        nothing_write(page, gradebook);
+        undecided_write(page, gradebook, worksheet);
+        passed_over_write(page, &gradebook->roster);
+        not_graded_write(page, gradebook);
+        class_look_alikes_write(page, look_alikes);
+        class_corrections_write(page, gradebook);
+        class_changes_write(page, gradebook);
+    }
     class_failures_write(page, failures);
     class_checks_write(page, gradebook);
     class_leaderboard_write(page, gradebook, leaderboard);
@@ -311,5 +328,60 @@ int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet
     failures_free(&failures);
     look_alikes_free(&look_alikes);
     leaderboard_free(&leaderboard);
+    return result;
+}
+
+// ---- Without names ---------------------------------------------------------------------------
+
+// The best first. Of equal scores the order is that of what the page shows of them, and not that of
+// their names.
+static int shown_compare(const void *left, const void *right)
+{
+    const Row *a = left, *b = right;
+    int order = row_is_graded(b) - row_is_graded(a);
+    order = order != 0 ? order : b->score - a->score;
+    order = order != 0 ? order : memcmp(b->passed, a->passed, sizeof a->passed);
+    order = order != 0 ? order : memcmp(b->points, a->points, sizeof a->points);
+    order = order != 0 ? order : b->old_score - a->old_score;
+    order = order != 0 ? order : (int)a->status - (int)b->status;
+    order = order != 0 ? order : (a->leaderboard < b->leaderboard) - (a->leaderboard > b->leaderboard);
+    if (order == 0 && a->fault != NULL && b->fault != NULL) {
+        order = strcmp(a->fault, b->fault);
+        order = order != 0 ? order : strcmp(a->fault_message, b->fault_message);
+    }
+    return order;
+}
+
+int gradebook_page_without_names(const Gradebook *gradebook, const char *path)
+{
+    Gradebook shown = *gradebook;
+    shown.rows = calloc((size_t)gradebook->n_rows + 1, sizeof *shown.rows);
+    if (shown.rows == NULL) {
+        complain("gradebook: %s: out of memory", path);
+        return -1;
+    }
+    shown.n_rows = shown.n_graded = shown.n_nothing = 0;
+    shown.has_no_names = 1;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row_that_counts(gradebook, row) != row) {
+            continue;
+        }
+        Row *copy = &shown.rows[shown.n_rows++];
+        *copy = *row;
+        copy->picture = NULL;  // its path has the name
+        shown.n_graded += row_is_graded(row);
+        shown.n_nothing += row->status == ROW_NOTHING;
+        // A stage, such as the compiler, quotes what the student wrote.
+        if (row->fault != NULL && row->fault_id[0] == '\0') {
+            copy->fault_message = (char *)"";
+        }
+    }
+    qsort(shown.rows, (size_t)shown.n_rows, sizeof *shown.rows, shown_compare);
+    for (int i = 0; i < shown.n_rows; i++) {
+        shown.rows[i].number = i + 1;
+    }
+    const int result = gradebook_page(&shown, path, NULL);
+    free(shown.rows);
     return result;
 }

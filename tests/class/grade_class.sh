@@ -15,6 +15,7 @@
 #     --changes FILE.csv     the instructor's corrections: student, task, points, comment, until
 #     --against FILE.json    an older gradebook.json, to compare scores with
 #     --nothing 0|blank      what gradebooks have for who handed in nothing of this lab (blank)
+#     --names no             also a page for the lecture hall, without names
 #     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
 #
 # Killed at any point, the same command goes on where it stopped. A submission is graded when its
@@ -52,7 +53,7 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' against='' nothing=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' against='' nothing='' names=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -70,6 +71,7 @@ while [ $# -gt 0 ]; do
     --changes) changes=$2 ;;
     --against) against=$2 ;;
     --nothing) nothing=$2 ;;
+    --names) names=$2 ;;
     --device) CLASS_DEVICE=$2 ;;
     --time-limit) CLASS_TIME_LIMIT=$2 ;;
     *) die "$1: no such option" ;;
@@ -97,6 +99,10 @@ esac
 case $nothing in
 '' | 0 | blank) ;;
 *) die "--nothing: found \"$nothing\", expected 0 or blank" ;;
+esac
+case $names in
+'' | no) ;;
+*) die "--names: found \"$names\", expected no" ;;
 esac
 [ -z "$jobs" ] || whole --jobs "$jobs"
 [ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
@@ -297,4 +303,4 @@ while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
     round=$((round + 1))
 done
 
-"$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" "$CLASS_FOLDER"
+"$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" ${names:+--names "$names"} "$CLASS_FOLDER"

@@ -125,11 +125,13 @@ static void columns_take(Gradebook *gradebook, const Graded *graded)
     gradebook->n_checks = graded->n_checks;
     for (int i = 0; i < graded->n_tasks; i++) {
         const GradedTask *task = &graded->tasks[i];
-        gradebook->tasks[i] = (Column){strdup(task->id), strdup(task->title), task->max_points};
+        gradebook->tasks[i] =
+            (Column){strdup(task->id), strdup(task->title), task->max_points, NULL};
     }
     for (int i = 0; i < graded->n_checks; i++) {
         const GradedCheck *check = &graded->checks[i];
-        gradebook->checks[i] = (Column){strdup(check->id), strdup(check->title), 0};
+        gradebook->checks[i] =
+            (Column){strdup(check->id), strdup(check->title), 0, strdup(check->task)};
     }
 }
 
@@ -191,8 +193,11 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->points[i] = graded->tasks[i].points;
     }
     for (int i = 0; i < graded->n_checks; i++) {
-        row->passed[i] = graded->checks[i].status == CHECK_PASSED;
-        row->check_points[i] = graded->checks[i].points;
+        const GradedCheck *check = &graded->checks[i];
+        row->passed[i] = check->status == CHECK_PASSED;
+        row->not_run[i] = check->status == CHECK_NOT_RUN;
+        row->causes[i] = check->cause != NULL ? strdup(check->cause) : NULL;
+        row->check_points[i] = check->points;
     }
     first_fault_take(row, graded);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);
@@ -350,7 +355,7 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
 static void columns_free(Column *columns, int n_columns)
 {
     for (int i = 0; i < n_columns; i++) {
-        free(columns[i].id), free(columns[i].title);
+        free(columns[i].id), free(columns[i].title), free(columns[i].task);
     }
 }
 
@@ -360,6 +365,9 @@ void gradebook_free(Gradebook *gradebook)
         Row *row = &gradebook->rows[i];
         free(row->reason), free(row->seed);
         free(row->fault), free(row->fault_id), free(row->fault_message);
+        for (int c = 0; c < RESULT_MAX_CHECKS; c++) {
+            free(row->causes[c]);
+        }
     }
     free(gradebook->rows);
     columns_free(gradebook->tasks, gradebook->n_tasks);

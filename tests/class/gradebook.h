@@ -21,6 +21,7 @@ typedef enum RowStatus {
 
 typedef struct Row {
     const Entrant *entrant;
+    int number;  // in the place of the name, on the page without names; else 0
     RowStatus status;
     char *reason;      // why it is not graded, or what was handed in instead; or NULL
     int has_log;       // logs/SLUG.txt tells more
@@ -29,7 +30,9 @@ typedef struct Row {
     int graded_score;  // without
     int points[MANIFEST_MAX_TASKS];
     int check_points[RESULT_MAX_CHECKS];  // without
-    char passed[RESULT_MAX_CHECKS];       // check i of the gradebook passed
+    char passed[RESULT_MAX_CHECKS];   // check i of the gradebook passed
+    char not_run[RESULT_MAX_CHECKS];  // or could not be run
+    char *causes[RESULT_MAX_CHECKS];  // its known mistake, a fixed sentence, or NULL
     char *fault;          // title of the first stage or check that did not pass, or NULL
     char *fault_id;       // the check's id, "" for a stage
     char *fault_message;  // the first line of what it said
@@ -42,6 +45,7 @@ typedef struct Row {
 typedef struct Column {
     char *id, *title;
     int max_points;  // of a task
+    char *task;      // of a check: the task's id; else NULL
 } Column;
 
 typedef struct Gradebook {
@@ -60,6 +64,7 @@ typedef struct Gradebook {
     int nothing_is_zero;  // such a row is entered as 0; else its score stays blank
     int has_old_scores;   // there is something to compare with
     const struct Corrections *corrections;  // NULL: none were given (corrections.h)
+    int has_no_names;     // rows have numbers: made for the page without names
     Roster roster;
 } Gradebook;
 
@@ -86,10 +91,15 @@ int row_is_graded(const Row *row);
 int row_is_entered(const Gradebook *gradebook, const Row *row);
 
 // The three files. Each appears whole or not at all; return 0, or -1 after one message.
-//   worksheet   the list of participants, whose columns come first in the CSV then; or NULL
+//   worksheet   the list of participants, whose columns come first in the CSV then, and whose
+//               addresses and numbers the JSON has; or NULL
 struct Worksheet;
 int gradebook_csv(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
-int gradebook_json(const Gradebook *gradebook, const char *path);
+int gradebook_json(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
 int gradebook_page(const Gradebook *gradebook, const char *path, const struct Worksheet *worksheet);
+
+// The page without names, for the lecture hall: one row for each student, numbered by score, and
+// nothing that a student wrote. Returns as above.
+int gradebook_page_without_names(const Gradebook *gradebook, const char *path);
 
 #endif

@@ -1,12 +1,14 @@
 // gradebook.json: the class for programs (see gradebook.h).
 //
-// Written row by row. Scores are whole numbers; a row that is not entered has none. Read next:
+// Written row by row. Scores are whole numbers; a row that is not entered has none. The table of a
+// term is made of these files (term.h), so they say who each row counts for. Read next:
 // gradebook_csv.c.
 #include "gradebook.h"
 
 #include "complain.h"
 #include "corrections.h"
 #include "output_file.h"
+#include "participant_fit.h"
 
 #include <jansson.h>
 
@@ -19,15 +21,27 @@ static json_t *points_json(const Gradebook *gradebook, const Row *row)
     return points;
 }
 
-static json_t *checks_json(const Gradebook *gradebook, const Row *row)
+// What became of the checks that did not pass.
+static void checks_add(json_t *json, const Gradebook *gradebook, const Row *row)
 {
-    json_t *failed = json_array();
+    json_t *not_passed = json_array();
+    json_t *not_run = json_array();
+    json_t *causes = json_object();
     for (int i = 0; i < gradebook->n_checks; i++) {
+        const char *id = gradebook->checks[i].id;
         if (!row->passed[i]) {
-            json_array_append_new(failed, json_string(gradebook->checks[i].id));
+            json_array_append_new(not_passed, json_string(id));
+        }
+        if (row->not_run[i]) {
+            json_array_append_new(not_run, json_string(id));
+        }
+        if (row->causes[i] != NULL) {
+            json_object_set_new(causes, id, json_string(row->causes[i]));
         }
     }
-    return failed;
+    json_object_set_new(json, "not_passed", not_passed);
+    json_object_set_new(json, "not_run", not_run);
+    json_object_set_new(json, "causes", causes);
 }
 
 static json_t *correction_json(const Correction *correction)
@@ -62,12 +76,66 @@ static json_t *corrections_json(const Gradebook *gradebook, const Row *row)
     return json;
 }
 
-static json_t *row_json(const Gradebook *gradebook, const Row *row)
+// ---- Whose it is -----------------------------------------------------------------------------
+
+static json_t *participant_json(const Worksheet *worksheet, const Participant *participant)
+{
+    char name[ENTRY_NAME_BYTES];
+    participant_name(worksheet, participant, name);
+    return json_pack("{s:s, s:s, s:s}", "name", name, "address",
+                     participant_address(worksheet, participant), "id_number",
+                     participant_sid(worksheet, participant));
+}
+
+// Who a row counts for, as far as a list or the export says it.
+static json_t *owners_json(const Row *row, const Worksheet *worksheet)
+{
+    json_t *owners = json_array();
+    for (int i = 1; worksheet != NULL && i < worksheet->n_participants; i++) {
+        if (worksheet->participants[i].row == row) {
+            json_array_append_new(owners, participant_json(worksheet, &worksheet->participants[i]));
+        }
+    }
+    for (int i = 0; worksheet == NULL && i < row->entrant->n_members; i++) {
+        const Member *member = &row->entrant->members[i];
+        json_array_append_new(owners, json_pack("{s:s, s:s, s:s}", "name", member->name, "address",
+                                                member->email, "id_number", member->sid));
+    }
+    return owners;
+}
+
+// Those of the list who have no row: nothing is theirs, or not for certain.
+static json_t *without_json(const Worksheet *worksheet)
+{
+    json_t *list = json_array();
+    for (int i = 1; worksheet != NULL && i < worksheet->n_participants; i++) {
+        const Participant *participant = &worksheet->participants[i];
+        if (participant->row != NULL || participant->is_nobody) {
+            continue;
+        }
+        json_t *json = participant_json(worksheet, participant);
+        json_object_set_new(json, "status",
+                            json_string(participant->is_fitted ? "not entered" : "no submission"));
+        json_array_append_new(list, json);
+    }
+    return list;
+}
+
+// ---- A row -----------------------------------------------------------------------------------
+
+static json_t *row_json(const Gradebook *gradebook, const Row *row, const Worksheet *worksheet)
 {
     const Entrant *entrant = row->entrant;
     json_t *json = json_pack("{s:s, s:s, s:s, s:i, s:s, s:s}", "id", entrant->slug, "name",
                              entrant->name, "number", entrant->number, "attempt", entrant->attempt,
                              "entry", entrant->entry, "status", row_status_name(row->status));
+    json_object_set_new(json, "counts", json_boolean(row_that_counts(gradebook, row) == row));
+    json_object_set_new(json, "owners", owners_json(row, worksheet));
+    const char *why_not =
+        worksheet != NULL ? worksheet->entered[row - gradebook->rows].why_not : NULL;
+    if (why_not != NULL) {
+        json_object_set_new(json, "not_entered", json_string(why_not));
+    }
     if (row->reason != NULL) {
         json_object_set_new(json, "reason", json_string(row->reason));
     }
@@ -88,7 +156,7 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row)
     }
     if (row_is_graded(row)) {
         json_object_set_new(json, "points", points_json(gradebook, row));
-        json_object_set_new(json, "not_passed", checks_json(gradebook, row));
+        checks_add(json, gradebook, row);
     }
     if (row->fault != NULL) {
         json_object_set_new(json, "first_fault",
@@ -126,7 +194,18 @@ static json_t *tasks_json(const Gradebook *gradebook)
     return tasks;
 }
 
-int gradebook_json(const Gradebook *gradebook, const char *path)
+static json_t *checks_json(const Gradebook *gradebook)
+{
+    json_t *checks = json_array();
+    for (int i = 0; i < gradebook->n_checks; i++) {
+        const Column *check = &gradebook->checks[i];
+        json_array_append_new(checks, json_pack("{s:s, s:s, s:s}", "id", check->id, "title",
+                                                check->title, "task", check->task));
+    }
+    return checks;
+}
+
+int gradebook_json(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
 {
     OutputFile output;
     if (output_file_open(&output, path) != 0) {
@@ -143,12 +222,16 @@ int gradebook_json(const Gradebook *gradebook, const char *path)
     }
     fprintf(file, ",\n\"max_score\": %d,\n\"tasks\": ", gradebook->max_score);
     failed |= value_write(tasks_json(gradebook), file);
+    fputs(",\n\"checks\": ", file);
+    failed |= value_write(checks_json(gradebook), file);
     fputs(",\n\"students\": [", file);
     for (int i = 0; i < gradebook->n_rows; i++) {
         fputs(i > 0 ? ",\n" : "\n", file);
-        failed |= value_write(row_json(gradebook, &gradebook->rows[i]), file);
+        failed |= value_write(row_json(gradebook, &gradebook->rows[i], worksheet), file);
     }
-    fputs("\n]\n}\n", file);
+    fputs("\n],\n\"without\": ", file);
+    failed |= value_write(without_json(worksheet), file);
+    fputs("\n}\n", file);
     if (failed) {
         output_file_discard(&output);
         complain("gradebook: %s: cannot write", path);

@@ -4,7 +4,7 @@
 //     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
-//     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] FOLDER
+//     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
 //     gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER
 //
 //     LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv
@@ -13,8 +13,8 @@
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
 // FOLDER/submissions/SLUG to each entry, and prints the slug, a tab and the name of each; `keys`
 // gives each its seed (class_keys.h); `check` reads what `write` will need, before all gradings;
-// `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, and says how the
-// class did. Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h);
+// `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, with
+// `--names no` class-no-names.html, too, and says how the class did. Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h);
 // 2 after one message. Read next: export_archive.h, roster.h, class_keys.h, gradebook.h;
 // grade_class.sh, which calls the first five. `feedback` packs the reports for those
 // whose they are (feedback.h).
@@ -37,6 +37,7 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { EXIT_ALL_GRADED = 0, EXIT_SOME_LOST = 1, EXIT_FAULT = 2 };
 
@@ -46,7 +47,8 @@ static int usage(void)
           "       gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
           "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
           "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
-          "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] FOLDER\n"
+          "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] "
+          "[--names no] FOLDER\n"
           "       gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER\n"
           "LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv\n",
           stderr);
@@ -245,13 +247,16 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
 }
 
 // Write the three files; then say how the class did. Returns 0, or -1 after one message.
-static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, Tally *tally)
+static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, int is_for_hall,
+                       Tally *tally)
 {
     const char *folder = gradebook->folder;
-    char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX];
+    char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX], hall[PATH_MAX];
     path_make(csv, "%s/gradebook.csv", folder);
     path_make(json, "%s/gradebook.json", folder);
     path_make(page, "%s/class.html", folder);
+    path_make(hall, "%s/class-no-names.html", folder);
+    unlink(hall);  // one that is not asked for again would be of older scores
     LookAlikes look_alikes;
     int n_open = 0;
     if (look_alikes_find(gradebook, &look_alikes) != 0) {
@@ -259,8 +264,9 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, T
     }
     *tally = tally_count(gradebook, worksheet, look_alikes.n_groups);
     const int failed = gradebook_csv(gradebook, csv, worksheet) != 0 ||
-                       gradebook_json(gradebook, json) != 0 ||
+                       gradebook_json(gradebook, json, worksheet) != 0 ||
                        gradebook_page(gradebook, page, worksheet) != 0 ||
+                       (is_for_hall && gradebook_page_without_names(gradebook, hall) != 0) ||
                        (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
     if (!failed) {
         summary_print(gradebook, &look_alikes, tally, n_open);
@@ -269,14 +275,15 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, T
     return failed ? -1 : 0;
 }
 
-static int gradebook_write(const char *folder, const ListPaths *paths, int nothing_is_zero)
+static int gradebook_write(const char *folder, const ListPaths *paths, int nothing_is_zero,
+                           int is_for_hall)
 {
     Class class;
     Tally tally;
     int status = EXIT_FAULT;
     if (class_load(folder, NULL, paths, &class) == 0) {
         class.gradebook.nothing_is_zero = nothing_is_zero;
-        if (files_write(&class.gradebook, class.list, &tally) == 0) {
+        if (files_write(&class.gradebook, class.list, is_for_hall, &tally) == 0) {
             status = tally_has_lost(&tally) ? EXIT_SOME_LOST : EXIT_ALL_GRADED;
         }
     }
@@ -302,7 +309,7 @@ typedef struct GradebookOptions {
     int only_latest;
     uint64_t seed;
     ListPaths paths;
-    const char *nothing;
+    const char *nothing, *names;
     int help;
 } GradebookOptions;
 
@@ -310,7 +317,7 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 8 };
+    enum { SEED = 1, N_ROWS = 9 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
@@ -319,6 +326,7 @@ int main(int argc, char **argv)
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
         {.name = "against", .argument = "OLD", .place = PLACE(paths.against)},
         {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},
+        {.name = "names", .argument = "no", .place = PLACE(names)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
     const OptionTable table = {"gradebook", rows, N_ROWS, .takes_words = 1};
@@ -346,7 +354,7 @@ int main(int argc, char **argv)
     }
     if (argc == 2 && strcmp(argv[0], "write") == 0) {
         const int is_zero = options.nothing != NULL && strcmp(options.nothing, "0") == 0;
-        return gradebook_write(argv[1], &options.paths, is_zero);
+        return gradebook_write(argv[1], &options.paths, is_zero, options.names != NULL);
     }
     if (argc == 3 && strcmp(argv[0], "feedback") == 0) {
         return give_back(argv[1], argv[2], &options.paths);

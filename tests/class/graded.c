@@ -107,25 +107,25 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
     }
     for (size_t i = 0; i < json_array_size(checks); i++) {
         GradedCheck *check = &graded->checks[graded->n_checks++];
-        const char *task, *word, *hint;
+        const char *word, *hint;
         int max_points;
         json_error_t error;
         if (json_unpack_ex(json_array_get(checks, i), &error, JSON_STRICT,
-                           "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s}", "id", &check->id, "title",
-                           &check->title, "task", &task, "points", &check->points, "max_points",
-                           &max_points, "status", &word, "message", &check->message, "hint",
-                           &hint) != 0) {
+                           "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s, s?s}", "id", &check->id,
+                           "title", &check->title, "task", &check->task, "points", &check->points,
+                           "max_points", &max_points, "status", &word, "message", &check->message,
+                           "cause", &check->cause, "hint", &hint) != 0) {
             return fault(path, "checks[%zu]: %s", i, error.text);
         }
         if (status_read(word, &check->status) != 0) {
             return fault(path, "checks[%zu]: found the status \"%s\"", i, word);
         }
         int owner = 0;
-        while (owner < graded->n_tasks && strcmp(graded->tasks[owner].id, task) != 0) {
+        while (owner < graded->n_tasks && strcmp(graded->tasks[owner].id, check->task) != 0) {
             owner++;
         }
         if (owner == graded->n_tasks) {
-            return fault(path, "checks[%zu]: found the unknown task \"%s\"", i, task);
+            return fault(path, "checks[%zu]: found the unknown task \"%s\"", i, check->task);
         }
         if (!points_agree(check->points, max_points) ||
             (check->points > 0 && check->status != CHECK_PASSED)) {

@@ -11,7 +11,8 @@ typedef struct GradedTask {
 } GradedTask;
 
 typedef struct GradedCheck {
-    const char *id, *title, *message;
+    const char *id, *title, *task, *message;
+    const char *cause;  // the known mistake, a fixed sentence; NULL: none is named
     CheckStatus status;
     int points;
 } GradedCheck;

@@ -185,6 +185,11 @@ const char *participant_address(const Worksheet *worksheet, const Participant *p
     return cell_of(worksheet, participant, mail_titles);
 }
 
+const char *participant_sid(const Worksheet *worksheet, const Participant *participant)
+{
+    return cell_of(worksheet, participant, sid_titles);
+}
+
 int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name)
 {
     const char *group = cell_of(worksheet, participant, group_titles);

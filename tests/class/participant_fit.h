@@ -7,11 +7,12 @@
 #include "worksheet.h"
 
 // What the list says of a participant: the full name; the course system's number, "Participant 12";
-// the e-mail address. "" where there is none.
+// the e-mail address; the university's number. "" where there is none.
 void participant_name(const Worksheet *worksheet, const Participant *participant,
                       char name[ENTRY_NAME_BYTES]);
 const char *participant_number(const Worksheet *worksheet, const Participant *participant);
 const char *participant_address(const Worksheet *worksheet, const Participant *participant);
+const char *participant_sid(const Worksheet *worksheet, const Participant *participant);
 
 // Is the entry's name that of the participant's group, where the list has a column of groups?
 int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name);

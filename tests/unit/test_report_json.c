@@ -90,6 +90,25 @@ static int graded_load_text(const char *text, Graded *graded)
     return loaded;
 }
 
+// The sentence of a known mistake is a field of its own, so that others need not look for it in
+// the message.
+Test(graded, reads_the_known_mistake_apart)
+{
+    Result result = result_make("");
+    Graded graded;
+    check_fail(&result.checks[1],
+               diagnosis_of(strdup("found 1; expected 0"), (Cause){.says = "it is strict"}));
+    char *text = file_report(report_json, &result);
+    cr_assert_eq(graded_load_text(text, &graded), 0);
+    cr_expect_str_eq(graded.checks[1].message, "found 1; expected 0; it is strict");
+    cr_expect_str_eq(graded.checks[1].cause, "it is strict");
+    cr_expect_str_eq(graded.checks[1].task, "overlaps_N_Nearer");
+    cr_expect_null(graded.checks[0].cause);
+    graded_free(&graded);
+    free(text);
+    result_free(&result);
+}
+
 Test(graded, reads_what_the_grader_wrote)
 {
     Result result = result_make("wrong");
