@@ -30,9 +30,9 @@ typedef struct Row {
     int graded_score;  // without
     int points[MANIFEST_MAX_TASKS];
     int check_points[RESULT_MAX_CHECKS];  // without
-    char passed[RESULT_MAX_CHECKS];   // check i of the gradebook passed
-    char not_run[RESULT_MAX_CHECKS];  // or could not be run
-    char *causes[RESULT_MAX_CHECKS];  // its known mistake, a fixed sentence, or NULL
+    char passed[RESULT_MAX_CHECKS];       // check i of the gradebook passed
+    char not_run[RESULT_MAX_CHECKS];      // or could not be run
+    char *causes[RESULT_MAX_CHECKS];      // its known mistake, a fixed sentence, or NULL
     char *fault;          // title of the first stage or check that did not pass, or NULL
     char *fault_id;       // the check's id, "" for a stage
     char *fault_message;  // the first line of what it said
@@ -64,7 +64,7 @@ typedef struct Gradebook {
     int nothing_is_zero;  // such a row is entered as 0; else its score stays blank
     int has_old_scores;   // there is something to compare with
     const struct Corrections *corrections;  // NULL: none were given (corrections.h)
-    int has_no_names;     // rows have numbers: made for the page without names
+    int has_no_names;                       // rows have numbers: made for the page without names
     Roster roster;
 } Gradebook;
 

@@ -323,9 +323,11 @@ int main(int argc, char **argv)
     int result = grade(&grading, &settings);
     grading.result.seconds = (stats_clock_ms() - start) / 1000;
     if (result == 0) {
-        grading_tell(&grading,
-                     (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
-                                  .task = settings.task});
+        result = grading_tell(&grading, settings.output,
+                              (ReportTold){.is_all = settings.task == NULL && !settings.tells_first,
+                                           .task = settings.task});
+    }
+    if (result == 0) {
         run_race(&grading);  // takes longer than the verdict, for which nobody waits
         result = grading_write(&grading, settings.output);
     }

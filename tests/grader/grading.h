@@ -55,10 +55,11 @@ int grading_try_alone(Grading *grading);
 // by the caller.
 char *grading_answer(const Grading *grading, const Task *task);
 
-// Print the verdict, which tells of what `told` says.
-void grading_tell(const Grading *grading, ReportTold told);
+// Print the verdict, which tells of what `told` says, once the folder for the reports is made.
+// Returns 0, or -1 after one message.
+int grading_tell(const Grading *grading, const char *output, ReportTold told);
 
-// Write results.json, report.html and pictures into a folder, which is made; print how a race ended
+// Write results.json, report.html and pictures into that folder; print how a race ended
 // and where the report is. Returns 0, or -1 after one message, also where the verdict could not be
 // printed.
 int grading_write(const Grading *grading, const char *output);

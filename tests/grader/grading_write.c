@@ -66,18 +66,19 @@ static int write_picture(const Result *result, const char *output)
     return output_file_commit(&file);
 }
 
-void grading_tell(const Grading *grading, ReportTold told)
+int grading_tell(const Grading *grading, const char *output, ReportTold told)
 {
+    if (folders_make(output) != 0) {
+        return -1;
+    }
     report_text(stdout, &grading->session.manifest, &grading->result, told, isatty(STDOUT_FILENO));
+    return 0;
 }
 
 int grading_write(const Grading *grading, const char *output)
 {
     char path[PATH_MAX];
     const Manifest *manifest = &grading->session.manifest;
-    if (folders_make(output) != 0) {
-        return -1;
-    }
     path_make(path, "%s/results.json", output);
     if (report_json(path, manifest, &grading->result) != 0) {
         return -1;
