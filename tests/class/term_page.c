@@ -8,9 +8,8 @@
 
 static void head_write(FILE *page, const Term *term)
 {
-    fprintf(page,
-            "<header>\n<h1>The term</h1>\n<p>A lab is passed from %d points on%s",
-            term->pass, term->need > 0 ? "; " : "");
+    fprintf(page, "<header>\n<h1>The term</h1>\n<p>A lab is passed from %d points on%s", term->pass,
+            term->need > 0 ? "; " : "");
     if (term->need > 0) {
         fprintf(page, "an admission needs %d of %d labs", term->need, term->n_labs);
     }

@@ -45,8 +45,7 @@ static int output_make(const char *output)
 }
 
 // One line for each lab, one for each row to look at, and what there is now.
-static void summary_print(const Term *term, const char *csv,
-                          const char *page)
+static void summary_print(const Term *term, const char *csv, const char *page)
 {
     for (int i = 0; i < term->n_labs; i++) {
         const TermCount count = term_count(term, i);
