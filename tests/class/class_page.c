@@ -346,6 +346,7 @@ static int shown_compare(const void *left, const void *right)
     order = order != 0 ? order : (int)a->status - (int)b->status;
     order =
         order != 0 ? order : (a->leaderboard < b->leaderboard) - (a->leaderboard > b->leaderboard);
+    order = order != 0 ? order : (a->fault != NULL) - (b->fault != NULL);
     if (order == 0 && a->fault != NULL && b->fault != NULL) {
         order = strcmp(a->fault, b->fault);
         order = order != 0 ? order : strcmp(a->fault_message, b->fault_message);

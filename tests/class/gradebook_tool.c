@@ -13,11 +13,11 @@
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
 // FOLDER/submissions/SLUG to each entry, and prints the slug, a tab and the name of each; `keys`
 // gives each its seed (class_keys.h); `check` reads what `write` will need, before all gradings;
-// `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, with
-// `--names no` class-no-names.html, too, and says how the class did. Exit status: 0; 1 when somebody's work could be lost, as the last line says (tally.h);
-// 2 after one message. Read next: export_archive.h, roster.h, class_keys.h, gradebook.h;
-// grade_class.sh, which calls the first five. `feedback` packs the reports for those
-// whose they are (feedback.h).
+// `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, with `--names no`
+// also class-no-names.html, and says how the class did. Exit status: 0; 1 when somebody's work
+// could be lost, as the last line says (tally.h); 2 after one message. Read next: export_archive.h,
+// roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls the first five. `feedback` packs
+// the reports for those whose they are (feedback.h).
 #include "class_keys.h"
 #include "clean_text.h"
 #include "complain.h"

@@ -3,9 +3,9 @@
 //     term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...
 //     term figures OUTPUT FOLDER...
 //
-// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv and term.html, and prints what
-// the instructor has to look at. `figures` writes OUTPUT/class-figures.json, and prints which
-// checks fail most often (term.h). Exit status: 0, or 2 after one message.
+// Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv and term.html,
+// and prints what the instructor has to look at. `figures` writes OUTPUT/class-figures.json, and
+// prints which checks fail most often (term.h). Exit status: 0, or 2 after one message.
 #include "clean_text.h"
 #include "complain.h"
 #include "option_table.h"

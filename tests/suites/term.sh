@@ -249,6 +249,7 @@ for student in "Carol Shaw_7" Nobody_99 "Zoe Early_9" "Bob Kilby_10"; do
     mkdir -p "$class/${student}_assignsubmission_file_"
 done
 : >"$class/Zoe Early_9_assignsubmission_file_/right"
+: >"$class/PRIVATE.txt"
 : >"$class/Bob Kilby_10_assignsubmission_file_/broken"
 check "a class by a list" exits 1 run "$scratch/real" --moodle "$scratch/list.csv"
 check "goes into a table" table 0 "$out" real g3
