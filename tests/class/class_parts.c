@@ -152,7 +152,7 @@ void class_corrections_write(FILE *page, const Gradebook *gradebook)
           "<div class=\"card\"><table><thead><tr><th>Submission</th><th>Change</th>"
           "<th>Comment</th><th>More time until</th></tr></thead><tbody>\n",
           page);
-    corrections_rows_write(page, gradebook, NULL);
+    corrections_class_write(page, gradebook);
     fputs("</tbody></table></div>\n", page);
 }
 

@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "html.h"
 #include "manifest.h"
+#include "participant_fit.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -57,16 +58,26 @@ static int is_day(const char *text)
     return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1];
 }
 
-static int row_find(const Corrections *corrections, const Gradebook *gradebook,
-                    const Worksheet *worksheet, const char *name, Correction *correction)
+// The participants of this name who have handed in nothing that is entered.
+static Called called_without(const Worksheet *worksheet, const char *name)
 {
-    const Called called = called_student(gradebook, worksheet, name);
-    if (called.n == 0) {
-        return fault(corrections, correction->line,
-                     "found the student \"%.200s\", who handed in nothing here; expected a name, "
-                     "number, slug or e-mail address as in gradebook.json",
-                     name);
+    Called called = {0};
+    if (worksheet != NULL) {
+        called = called_participant(worksheet, name);
     }
+    if (called.n == 1 && (worksheet->participants[called.first].row != NULL ||
+                          is_no_person(worksheet, &worksheet->participants[called.first]))) {
+        called.n = 0;
+    }
+    return called;
+}
+
+static int student_find(const Corrections *corrections, const Gradebook *gradebook,
+                        const char *name, Correction *correction)
+{
+    const Worksheet *worksheet = corrections->worksheet;
+    const Called called = called_student(gradebook, worksheet, name);
+    const Called without = called_without(worksheet, name);
     if (called.n > 1) {
         return fault(corrections, correction->line,
                      "\"%.200s\" is the name of %d submissions, among them %.100s and %.100s; "
@@ -74,7 +85,24 @@ static int row_find(const Corrections *corrections, const Gradebook *gradebook,
                      name, called.n, gradebook->rows[called.first].entrant->slug,
                      gradebook->rows[called.last].entrant->slug);
     }
-    correction->row = called.first;
+    if (called.n + without.n > 1) {
+        return fault(corrections, correction->line,
+                     "\"%.200s\" fits line %d of the list of participants, and %s; expected a slug "
+                     "or an e-mail address",
+                     name, without.first + 1,
+                     called.n > 0 ? "a submission that is not entered for it" : "another one");
+    }
+    if (called.n + without.n == 0) {
+        return fault(corrections, correction->line,
+                     "found the student \"%.200s\", who is not in this class; expected a name, "
+                     "number, slug or e-mail address as in gradebook.json",
+                     name);
+    }
+    if (called.n == 1) {
+        correction->row = &gradebook->rows[called.first];
+    } else {
+        correction->participant = &worksheet->participants[without.first];
+    }
     return 0;
 }
 
@@ -127,6 +155,9 @@ static int change_read(const Corrections *corrections, const Manifest *manifest,
                      "found \"%.200s\" points, expected a whole number such as 12, +5 or -5",
                      points);
     }
+    if (correction->row == NULL) {
+        return fault(corrections, line, "found points of a student who handed in nothing");
+    }
     if (abs(correction->points) > correction->max_points) {
         return fault(corrections, line, "found %s points, but %s has 0 to %d", points, id,
                      correction->max_points);
@@ -160,7 +191,7 @@ static char *text_clean(const char *text)
 }
 
 static int line_read(Corrections *corrections, const Manifest *manifest, const Gradebook *gradebook,
-                     const Worksheet *worksheet, const SheetLine *line, const int *columns)
+                     const SheetLine *line, const int *columns)
 {
     // What it owns is freed with the others, also when it is refused.
     Correction *correction = &corrections->all[corrections->n];
@@ -171,10 +202,10 @@ static int line_read(Corrections *corrections, const Manifest *manifest, const G
     if (correction->comment == NULL) {
         return fault(corrections, correction->line, "out of memory");
     }
-    int result = row_find(corrections, gradebook, worksheet, line->cells[columns[STUDENT]],
-                          correction) != 0 ||
-                 change_read(corrections, manifest, line->cells[columns[TASK]],
-                             line->cells[columns[POINTS]], correction) != 0;
+    int result =
+        student_find(corrections, gradebook, line->cells[columns[STUDENT]], correction) != 0 ||
+        change_read(corrections, manifest, line->cells[columns[TASK]], line->cells[columns[POINTS]],
+                    correction) != 0;
     if (result == 0 && correction->until[0] != '\0' && !is_day(correction->until)) {
         result = fault(corrections, correction->line,
                        "found \"%.200s\" in the column \"until\", expected a day such as "
@@ -199,7 +230,7 @@ int corrections_load(const char *path, const char *lab, const Gradebook *gradebo
 {
     Manifest manifest;
     int columns[N_COLUMNS];
-    *corrections = (Corrections){.path = path};
+    *corrections = (Corrections){.path = path, .worksheet = worksheet};
     Sheet *sheet = &corrections->sheet;
     if (manifest_load(manifest_folder(lab), lab, &manifest) != 0) {
         return -1;
@@ -214,8 +245,7 @@ int corrections_load(const char *path, const char *lab, const Gradebook *gradebo
     }
     for (int i = 1; result == 0 && i < sheet->n_lines; i++) {
         if (!sheet_line_is_empty(sheet, &sheet->lines[i])) {
-            result =
-                line_read(corrections, &manifest, gradebook, worksheet, &sheet->lines[i], columns);
+            result = line_read(corrections, &manifest, gradebook, &sheet->lines[i], columns);
         }
     }
     manifest_free(&manifest);
@@ -251,7 +281,7 @@ static int column_find(const Column *columns, int n_columns, const char *id)
 static int change_find(const Corrections *corrections, const Gradebook *gradebook,
                        Correction *correction)
 {
-    const Row *row = &gradebook->rows[correction->row];
+    const Row *row = correction->row;
     const char *id = correction->check != NULL ? correction->check : correction->task;
     const int column = correction->check != NULL
                            ? column_find(gradebook->checks, gradebook->n_checks, id)
@@ -274,7 +304,7 @@ int corrections_apply(Corrections *corrections, Gradebook *gradebook)
 {
     for (int i = 0; i < corrections->n; i++) {
         Correction *correction = &corrections->all[i];
-        if (correction->has_points && row_is_graded(&gradebook->rows[correction->row]) &&
+        if (correction->has_points && row_is_graded(correction->row) &&
             change_find(corrections, gradebook, correction) != 0) {
             return -1;
         }
@@ -282,7 +312,7 @@ int corrections_apply(Corrections *corrections, Gradebook *gradebook)
     for (int i = 0; i < corrections->n; i++) {
         const Correction *correction = &corrections->all[i];
         if (correction->is_applied) {
-            Row *row = &gradebook->rows[correction->row];
+            Row *row = &gradebook->rows[correction->row - gradebook->rows];
             const int change = correction->after - correction->before;
             row->points[column_find(gradebook->tasks, gradebook->n_tasks, correction->task)] +=
                 change;
@@ -299,7 +329,7 @@ int corrections_has(const Gradebook *gradebook, const Row *row)
 {
     const Corrections *corrections = gradebook->corrections;
     for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        if (&gradebook->rows[corrections->all[i].row] == row) {
+        if (corrections->all[i].row == row) {
             return 1;
         }
     }
@@ -332,13 +362,20 @@ static void change_write(FILE *file, const Correction *correction)
     }
 }
 
-void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row)
+static int is_of(const Correction *correction, const Row *row, const Participant *participant)
+{
+    return row != NULL ? correction->row == row
+                       : participant != NULL && correction->participant == participant;
+}
+
+void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row,
+                       const Participant *participant)
 {
     const Corrections *corrections = gradebook->corrections;
     const char *between = "";
     for (int i = 0; corrections != NULL && i < corrections->n; i++) {
         const Correction *correction = &corrections->all[i];
-        if (&gradebook->rows[correction->row] != row) {
+        if (!is_of(correction, row, participant)) {
             continue;
         }
         fputs(between, file);
@@ -353,7 +390,8 @@ void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row)
     }
 }
 
-static void table_row_write(FILE *page, const Row *named, const Correction *correction)
+// Change, comment, until.
+static void cells_write(FILE *page, const Correction *correction)
 {
     char *change = NULL;
     size_t length;
@@ -361,12 +399,6 @@ static void table_row_write(FILE *page, const Row *named, const Correction *corr
     if (stream != NULL) {
         change_write(stream, correction);
         fclose(stream);
-    }
-    fputs("<tr>", page);
-    if (named != NULL) {
-        fputs("<td class=\"name\">", page);
-        class_name_write(page, named);
-        fputs("</td>", page);
     }
     // Task and numbers are ours, the rest is the instructor's.
     fprintf(page, "<td>%s</td><td>", change != NULL ? change : "");
@@ -381,20 +413,39 @@ void corrections_rows_write(FILE *page, const Gradebook *gradebook, const Row *r
 {
     const Corrections *corrections = gradebook->corrections;
     for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        const Row *its_row = &gradebook->rows[corrections->all[i].row];
-        if (row == NULL || row == its_row) {
-            table_row_write(page, row == NULL ? its_row : NULL, &corrections->all[i]);
+        if (corrections->all[i].row == row) {
+            fputs("<tr>", page);
+            cells_write(page, &corrections->all[i]);
         }
     }
 }
 
-const char *corrections_until(const Gradebook *gradebook, const Row *row)
+void corrections_class_write(FILE *page, const Gradebook *gradebook)
+{
+    const Corrections *corrections = gradebook->corrections;
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        fputs("<tr><td class=\"name\">", page);
+        if (correction->row != NULL) {
+            class_name_write(page, correction->row);
+        } else {
+            char name[ENTRY_NAME_BYTES];
+            participant_name(corrections->worksheet, correction->participant, name);
+            html_line(page, name);
+        }
+        fputs("</td>", page);
+        cells_write(page, correction);
+    }
+}
+
+const char *corrections_until(const Gradebook *gradebook, const Row *row,
+                              const Participant *participant)
 {
     const Corrections *corrections = gradebook->corrections;
     const char *last = "";
     for (int i = 0; corrections != NULL && i < corrections->n; i++) {
         const Correction *correction = &corrections->all[i];
-        if (&gradebook->rows[correction->row] == row && strcmp(correction->until, last) > 0) {
+        if (is_of(correction, row, participant) && strcmp(correction->until, last) > 0) {
             last = correction->until;
         }
     }

@@ -9,8 +9,9 @@
 
 // A line of the file: student, task (or a check's id), points, comment, until.
 typedef struct Correction {
-    int line;           // in the file, the head being line 1
-    int row;            // whose it is: an index into gradebook->rows
+    int line;        // in the file, the head being line 1
+    const Row *row;  // whose it is; NULL: of the participant, who handed in nothing
+    const Participant *participant;
     char *task;         // a task's id; NULL: only a comment or an extension
     char *check;        // of that task; NULL: the task as a whole
     int max_points;     // of the check or the task
@@ -25,7 +26,8 @@ typedef struct Correction {
 
 typedef struct Corrections {
     const char *path;
-    Correction *all;  // as in the file
+    const Worksheet *worksheet;  // the list of participants, or NULL
+    Correction *all;             // as in the file
     int n;
     Sheet sheet;  // owns the texts
 } Corrections;
@@ -47,15 +49,19 @@ int corrections_apply(Corrections *corrections, Gradebook *gradebook);
 int corrections_has(const Gradebook *gradebook, const Row *row);
 int corrections_count_waiting(const Gradebook *gradebook);
 
-// A row's corrections in a line, not escaped: "gradient: 40 to 45 (+5): right idea; ...". Nothing where there is
-// none.
-void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row);
+// The corrections of a row, or where that is NULL of a participant, in a line, not escaped:
+// "gradient: 40 to 45 (+5): right idea; ...". Nothing where there is none.
+void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row,
+                       const Participant *participant);
 
-// The same as a table for a page: its rows, each with the columns change, comment, until.
-//   row   whose; NULL: everybody's, with the name in a column before
+// The last day of their extensions; "" where there is none.
+const char *corrections_until(const Gradebook *gradebook, const Row *row,
+                              const Participant *participant);
+
+// A row's corrections as rows of a page's table: change, comment, until.
 void corrections_rows_write(FILE *page, const Gradebook *gradebook, const Row *row);
 
-// The last day of a row's extension; "" where there is none.
-const char *corrections_until(const Gradebook *gradebook, const Row *row);
+// Everybody's, with the names before.
+void corrections_class_write(FILE *page, const Gradebook *gradebook);
 
 #endif

@@ -53,7 +53,7 @@ char *feedback_comment(const Gradebook *gradebook, const Row *row)
     }
     if (corrections_has(gradebook, row)) {
         fputs(". Corrected by hand: ", text);
-        corrections_write(text, gradebook, row);
+        corrections_write(text, gradebook, row, NULL);
     }
     fclose(text);
     return comment;

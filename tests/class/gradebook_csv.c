@@ -61,33 +61,40 @@ static void titles_write(FILE *file, const Gradebook *gradebook, const char *las
     row_end(file, last);
 }
 
-// What stands in the place of a row where there is none: why. `last` as in titles_write().
-static void no_row_write(FILE *file, const Gradebook *gradebook, const char *why, const char *last)
+// What the grader gave, where it was corrected, and how: of a row, or where that is NULL of a
+// participant. Nothing where no corrections were given.
+static void corrections_cells_write(FILE *file, const Gradebook *gradebook, const Row *row,
+                                    const Participant *participant)
 {
-    empty_write(file, 2);
-    cell_write(file, why);
-    empty_write(file, gradebook->n_tasks + 4 + (gradebook->corrections != NULL ? 3 : 0));
-    row_end(file, last);
-}
-
-// What the grader gave, where it was corrected, and how.
-static void corrections_cells_write(FILE *file, const Gradebook *gradebook, const Row *row)
-{
+    if (gradebook->corrections == NULL) {
+        return;
+    }
     char *text = NULL;
     size_t length;
     FILE *stream = open_memstream(&text, &length);
     if (stream != NULL) {
-        corrections_write(stream, gradebook, row);
+        corrections_write(stream, gradebook, row, participant);
         fclose(stream);
     }
-    if (row->score != row->graded_score) {
+    if (row != NULL && row->score != row->graded_score) {
         fprintf(file, ",%d", row->graded_score);
     } else {
         empty_write(file, 1);
     }
     cell_write(file, text != NULL ? text : "");
-    cell_write(file, corrections_until(gradebook, row));
+    cell_write(file, corrections_until(gradebook, row, participant));
     free(text);
+}
+
+// What stands in the place of a participant's row where there is none: why.
+static void no_row_write(FILE *file, const Gradebook *gradebook, const Participant *participant,
+                         const char *why)
+{
+    empty_write(file, 2);
+    cell_write(file, why);
+    empty_write(file, gradebook->n_tasks + 4);
+    corrections_cells_write(file, gradebook, NULL, participant);
+    row_end(file, "");
 }
 
 // `last` as in titles_write().
@@ -119,9 +126,7 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, co
         snprintf(report, sizeof report, "students/%s/report.html", row->entrant->slug);
         cell_write(file, report);
     }
-    if (gradebook->corrections != NULL) {
-        corrections_cells_write(file, gradebook, row);
-    }
+    corrections_cells_write(file, gradebook, row, NULL);
     row_end(file, last);
 }
 
@@ -155,7 +160,7 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
         const char *why = participant->is_nobody   ? ""
                           : participant->is_fitted ? "not entered"
                                                    : "no submission";
-        no_row_write(file, gradebook, why, "");
+        no_row_write(file, gradebook, participant, why);
     } else {
         row_write(file, gradebook, row, "");
     }

@@ -69,8 +69,28 @@ static json_t *corrections_json(const Gradebook *gradebook, const Row *row)
     json_t *json = json_array();
     for (int i = 0; i < gradebook->corrections->n; i++) {
         const Correction *correction = &gradebook->corrections->all[i];
-        if (&gradebook->rows[correction->row] == row) {
+        if (correction->row == row) {
             json_array_append_new(json, correction_json(correction));
+        }
+    }
+    return json;
+}
+
+// Of participants who handed in nothing.
+static json_t *others_json(const Corrections *corrections)
+{
+    json_t *json = json_array();
+    for (int i = 0; i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        if (correction->row == NULL) {
+            char name[ENTRY_NAME_BYTES];
+            participant_name(corrections->worksheet, correction->participant, name);
+            json_t *other = correction_json(correction);
+            json_object_set_new(other, "name", json_string(name));
+            json_object_set_new(
+                other, "number",
+                json_string(participant_number(corrections->worksheet, correction->participant)));
+            json_array_append_new(json, other);
         }
     }
     return json;
@@ -224,6 +244,10 @@ int gradebook_json(const Gradebook *gradebook, const char *path, const Worksheet
     failed |= value_write(tasks_json(gradebook), file);
     fputs(",\n\"checks\": ", file);
     failed |= value_write(checks_json(gradebook), file);
+    if (gradebook->corrections != NULL) {
+        fputs(",\n\"without_submission\": ", file);
+        failed |= value_write(others_json(gradebook->corrections), file);
+    }
     fputs(",\n\"students\": [", file);
     for (int i = 0; i < gradebook->n_rows; i++) {
         fputs(i > 0 ? ",\n" : "\n", file);

@@ -164,6 +164,10 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
     }
     faults_print(gradebook, folder);
     look_alikes_print(look_alikes);
+    if (corrections_count_waiting(gradebook) > 0) {
+        printf("%d corrections of points not applied, as nothing was graded there\n",
+               corrections_count_waiting(gradebook));
+    }
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
     if (n_open > 0) {
         printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
@@ -220,6 +224,9 @@ static int class_load(const char *folder, const char *lab, const ListPaths *path
         class->list = &class->worksheet;
     }
     lab = lab != NULL ? lab : gradebook->lab;
+    if (paths->changes != NULL && lab == NULL) {
+        complain("gradebook: %s: not applied, as nothing is graded", paths->changes);
+    }
     if (paths->changes == NULL || lab == NULL) {
         return 0;
     }
@@ -284,7 +291,9 @@ static int gradebook_write(const char *folder, const ListPaths *paths, int nothi
     if (class_load(folder, NULL, paths, &class) == 0) {
         class.gradebook.nothing_is_zero = nothing_is_zero;
         if (files_write(&class.gradebook, class.list, is_for_hall, &tally) == 0) {
-            status = tally_has_lost(&tally) ? EXIT_SOME_LOST : EXIT_ALL_GRADED;
+            const int has_lost =
+                tally_has_lost(&tally) || corrections_count_waiting(&class.gradebook) > 0;
+            status = has_lost ? EXIT_SOME_LOST : EXIT_ALL_GRADED;
         }
     }
     class_free(&class);

@@ -48,7 +48,9 @@ changes() {
 out=$scratch/out
 corrected() { run "$out" --moodle "$scratch/list.csv" --changes "$scratch/changes.csv" "$@"; }
 # value NUMBER FILTER: of a student in gradebook.json.
-value() { jq -r --arg number "$1" ".students[] | select(.number == \$number) | $2" "$out/gradebook.json" | paste -s -d ' '; }
+value() {
+    jq -r --arg number "$1" ".students[] | select(.number == \$number) | $2" "$out/gradebook.json" | paste -s -d ' '
+}
 
 # ---- Refused before anything is graded -----------------------------------------------------------
 
@@ -61,11 +63,13 @@ refused() {
     exits 2 corrected && said "changes.csv: $words" && test ! -e "$out/joblog" &&
         test "$(grep -c changes.csv "$scratch/said")" -eq 1 && test ! -e "$out/gradebook.csv"
 }
-check "a student of another class" refused 'line 2: found the student "Grace", who handed in nothing here' \
+check "a student of another class" refused 'line 2: found the student "Grace", who is not in this class' \
     Grace,gradient,12,,
 check "a name of two" refused 'line 2: "Ada Lovelace" is the name of 2 submissions, among them ada-lovelace-' \
     "Ada Lovelace,gradient,12,,"
 check "a part of a name is none" refused 'line 2: found the student "Ross"' Ross,gradient,12,,
+check "points of a student who handed in nothing" refused 'line 2: found points of a student who handed in nothing' \
+    erin@example.org,gradient,12,,
 check "no name" refused 'line 2: found the student ""' ,gradient,12,,
 check "a task of another lab" refused "line 3: found the task \"overlaps\", expected a task or check of $lab" \
     23,gradient,12,, 24,overlaps,1,,
@@ -100,10 +104,11 @@ check "no file at all" exits 2 run "$out" --changes "$scratch/none.csv"
 # ---- Applied -------------------------------------------------------------------------------------
 
 changes '23,gradient,+5,"right idea, =1+1",' '22,set_arguments,0,"copied <b>",' 'carol@example.org,,,ill,2026-12-24' \
-    '21,gradient-padding,-3,,' 'Carol Shaw,gradient-picture,12,,' ',,,,'
+    '21,gradient-padding,-3,,' 'Carol Shaw,gradient-picture,12,,' ',,,,' \
+    'Participant 25,,,at sea,2026-12-31'
 bob=$(jq .score "$scratch/wrong/results.json")
 gradient=$(jq '.tasks[] | select(.id == "gradient") | .points' "$scratch/wrong/results.json")
-check "five corrections" exits 0 corrected
+check "six corrections" exits 0 corrected
 check "a change is added to the points" \
     test "$(value 23 '.score, .points.gradient')" = "$((bob + 5)) $((gradient + 5))"
 check "and the grader's stay beside them" test "$(value 23 .score_before)" = "$bob"
@@ -123,6 +128,12 @@ check "and the comment says why" grep -q \
     "Corrected by hand: gradient: $gradient to $((gradient + 5)) (+5): right idea, " "$out/gradebook.csv"
 check "columns say what was before, what was changed, until when" grep -q \
     '"Carol Shaw".*,100,"ill; gradient-picture: 30 to 12 (-18)","2026-12-24",' "$out/gradebook.csv"
+check "an extension of a student who handed in nothing" grep -q \
+    '"Erin Doe".*,"no submission",.*,"at sea","2026-12-31",' "$out/gradebook.csv"
+check "is on the page" grep -q '>Erin Doe</td>.*at sea' "$out/class.html"
+check "and in JSON" \
+    test "$(jq -r '.without_submission[] | .name, .number, .until' "$out/gradebook.json" | paste -s -d ' ')" = \
+    "Erin Doe Participant 25 2026-12-31"
 # shellcheck disable=SC2016 # for the inner shell
 check "a comment is no formula" sh -c '! grep -E "(^|[,;|	])[\" ]*=" "$1"' - "$out/gradebook.csv"
 check "the page lists them" grep -q '>gradient-padding: 10 to 7 (-3)<' "$out/class.html"
@@ -137,6 +148,17 @@ check "without CHANGES" exits 0 run "$out" --moodle "$scratch/list.csv"
 check "the grader's points are back" test "$(value 22 .score)" = 100
 check "and no column speaks of corrections" test "$(grep -c 'score before' "$out/gradebook.csv")" -eq 0
 
+# What was not graded has no points that could be corrected.
+mkdir "$class/Dora Roe_25_assignsubmission_file_"
+changes 22,gradient,1,, 25,gradient,+1,late,
+check "one who cannot be graded" exits 1 corrected
+check "keeps nobody from a correction" test "$(value 22 .points.gradient)" = 1
+check "and it is said what is not applied" said "1 corrections of points not applied, as nothing was graded there"
+check "also in the gradebook" grep -q '"gradient: +1 not applied, as nothing was graded: late"' "$out/gradebook.csv"
+rmdir "$class/Dora Roe_25_assignsubmission_file_"
+changes "23,gradient,+5,\"right idea, =1+1\"," 24,,,ill,2026-12-24
+check "without it" exits 0 corrected
+
 # ---- Given back ----------------------------------------------------------------------------------
 
 feedback() {
@@ -146,7 +168,8 @@ feedback() {
 report=$(echo "$out"/students/bob-*/report.html)
 check "each gets the report with the corrections" exits 0 feedback moodle
 check "bob's" sh -c "unzip -p '$out/feedback-moodle.zip' 'Bob Ross_23*' >'$scratch/bob.html'"
-check "has them" grep -q "gradient: $gradient to $((gradient + 5)) (+5)</td><td><p class=\"message\">right idea, =1+1" "$scratch/bob.html"
+check "has them" grep -q \
+    "gradient: $gradient to $((gradient + 5)) (+5)</td><td><p class=\"message\">right idea, =1+1" "$scratch/bob.html"
 check "and the new score" grep -q "$((bob + 5)) of 100 points instead of $bob" "$scratch/bob.html"
 check "and is well-formed" xmllint --html --noout "$scratch/bob.html"
 check "and all that the grader said" test "$(diff "$report" "$scratch/bob.html" | grep -c '^<')" -eq 0
@@ -211,8 +234,10 @@ check "an answer that is none" unclear 'line 2: found "maybe" in the column "cou
 check "yes to nobody" unclear 'line 2: found no student beside "yes", expected one' "bobby,,yes"
 check "no to nobody" unclear 'line 2: found no student beside "no", expected one' "bobby,,no"
 check "a student to be ignored" unclear 'line 2: found a student beside "ignore", expected none' "bobby,bob,ignore"
-check "one entry both ways" unclear 'line 3: line 2 decides about the same entry already' "bobby,bob,yes" "bobby,,ignore"
-check "two entries of one student" unclear 'line 3: line 2 gives the same student another entry' "bobby,bob," "spam,bob,yes"
+check "one entry both ways" unclear 'line 3: line 2 decides about the same entry already' \
+    "bobby,bob,yes" "bobby,,ignore"
+check "two entries of one student" unclear 'line 3: line 2 gives the same student another entry' \
+    "bobby,bob," "spam,bob,yes"
 printf 'entry,counts\n' >"$scratch/who.csv"
 check "no column of students" exits 2 decided
 check "is named" said 'who.csv: line 1: found no column "student"'
@@ -247,7 +272,8 @@ check "who is not decided has none" grep -q '^"Participant 25",.*"not entered"' 
 check "what is left out stands below the list" grep -q '^,,,,,"spam",.*,"ignored, as you decided"$' "$out/gradebook.csv"
 check "and so does what does not count" grep -q \
     '^,,,,,"carol-2",.*,"another submission counts, as you decided"$' "$out/gradebook.csv"
-check "the file keeps what is decided" grep -q "^\"$slug\",\"bob@example.org\",\"yes\",\"bobby\",\"decided\"\$" "$out/who.csv"
+check "the file keeps what is decided" grep -q \
+    "^\"$slug\",\"bob@example.org\",\"yes\",\"bobby\",\"decided\"\$" "$out/who.csv"
 check "and has what is left" test "$(grep -c ',"","",' "$out/who.csv")" -eq 2
 printf 'student,task,points\nParticipant 23,gradient,0\nBob Ross,set_arguments,1\n' >"$scratch/changes.csv"
 check "corrections name the participant, by number or name" exits 1 \
@@ -255,8 +281,8 @@ check "corrections name the participant, by number or name" exits 1 \
 check "and are the participant's" entered "Participant 23" bobby 41.00
 
 # All decided; one entry for two.
-sed -i "s/^\\(\"team-x-[^\"]*\"\\),\"\",\"\",/\\1,erin,yes,/; s/^\\(\"1-1-[^\"]*\"\\),\"\",\"\",/\\1,,ignore,/" "$out/who.csv"
-sed -n 's/^\("team-x-[^"]*"\),.*/\1,Participant 26,yes,,/p' "$out/who.csv" >>"$out/who.csv"
+sed -i 's/^\("team-x-[^"]*"\),"","",\(.*\)/\1,erin,yes,\2\n\1,Participant 26,yes,\2/
+    s/^\("1-1-[^"]*"\),"","",/\1,,ignore,/' "$out/who.csv"
 check "all decided" exits 0 run "$out" --moodle "$scratch/list.csv" --who "$out/who.csv"
 check "nothing is left" said \
     "4 of 7 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 3 left out by you; 0 to be decided by you"
@@ -271,6 +297,7 @@ check "a report goes to whom it was decided for" sh -c "'$build/tools/gradebook'
 # What is decided and what fits by itself: one of them has to be decided away.
 who "bobby,ada,yes"
 check "a decision against a name that fits" exits 1 decided
-check "enters neither" said 'not entered: "bobby": line 2 of the list also fits "Ada Lovelace_21_assignsubmission_file_"'
+check "enters neither" said \
+    'not entered: "bobby": line 2 of the list also fits "Ada Lovelace_21_assignsubmission_file_"'
 
 finish

@@ -90,10 +90,12 @@ cp -R solutions/00-hello-pixels "$scratch/class/$hostile"
 holds_on() { grep -q '^ Score  *100/100' "$said" || { cat "$said"; return 1; }; }
 both_ways "make grade" 0 SUBMISSION "$scratch/class/$hostile" grade BUILD="$build" LAB=00 SEED=5
 
-# A class: its folder, what comes out, and Moodle's and the older list have such names, too.
+# A class: its folder, what comes out, Moodle's and the older list, and what an instructor decides have such names.
 cp -R "$scratch/class" "$scratch/$hostile"
 moodle=$scratch/moodle$hostile.csv
 printf 'Identifier,Full name,Grade,Maximum Grade\nParticipant 1,Ada,,100\n' >"$moodle"
+echo entry,student >"$scratch/who$hostile"
+echo student,task,points >"$scratch/changes$hostile"
 
 # class STATUS VARIABLE=VALUE...: of make, which says 2 where the list has nobody of this name.
 class() {
@@ -101,15 +103,20 @@ class() {
     shift
     makes "$status" grade-class BUILD="$build" LAB=00 SEED=5 "$@"
 }
-check "a class of such names" class 2 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" MOODLE="$moodle"
+check "a class of such names" class 2 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" MOODLE="$moodle" \
+    WHO="$scratch/who$hostile" CHANGES="$scratch/changes$hostile"
 check "everybody is graded" grep -q ',100,100,' "$scratch/out$hostile/gradebook.csv"
 cp "$scratch/out$hostile/gradebook.json" "$scratch/older$hostile"
+check "by a list of corrections" grep -q '"score before"' "$scratch/out$hostile/gradebook.csv"
 check "and compared" class 0 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" AGAINST="$scratch/older$hostile"
 # In the top folder such names begin with a minus, as options do.
 cp -R "$scratch/class" "$top/$hostile"
 cp "$moodle" "$top/$hostile.csv"
-trap 'rm -rf "$scratch" "$trap_file" "./$hostile" "./$hostile.csv" "./$hostile.out" "./$hostile.tar"' EXIT
-check "and where they are looked for from here" class 2 SUBMISSIONS="$hostile" OUTPUT="$hostile.out" MOODLE="$hostile.csv"
+cp "$scratch/who$hostile" "$top/$hostile.who"
+cp "$scratch/changes$hostile" "$top/$hostile.changes"
+trap 'rm -rf "$scratch" "$trap_file" "./$hostile" "./$hostile.csv" "./$hostile.who" "./$hostile.changes" "./$hostile.out" "./$hostile.tar"' EXIT
+check "and where they are looked for from here" class 2 SUBMISSIONS="$hostile" OUTPUT="$hostile.out" MOODLE="$hostile.csv" \
+    WHO="$hostile.who" CHANGES="$hostile.changes"
 check "all is graded, too" grep -q ',100,100,' "./$hostile.out/gradebook.csv"
 (cd solutions/00-hello-pixels && tar -cf "$top/$hostile.tar" .)
 check "an archive whose name begins so" grades 0 100 --lab 00 --submission "$hostile.tar" --seed 5
