@@ -193,6 +193,23 @@ Cause hit_mistake(int i, OracleRules3D *rules)
     return mistakes[number].looks;
 }
 
+// The same of spheres that are not told, though they are found: every t is right.
+static Cause explain_untold(const JobScene3D *scene, const HitAnswer *found)
+{
+    int n_hits = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleHit *hit = &scene->hits[pixel];
+        const HitAnswer told = {found[pixel].t, hit->sphere};
+        if (found[pixel].sphere != ORACLE_NO_SPHERE || !hit_is_right(hit, told)) {
+            return (Cause){0};
+        }
+        n_hits += !isinf(found[pixel].t);
+    }
+    return (Cause){.says = n_hits > 0 ? "as if hit.sphere were never set: it is NO_SPHERE for "
+                                        "every hit"
+                                      : NULL};
+}
+
 // As hits_follow(), and how many rays hit anything then.
 static int follow(const JobScene3D *scene, const HitAnswer *found, const OracleRules3D *rules,
                   int *n_hits)
@@ -227,7 +244,8 @@ static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
             return mistakes[i].looks;
         }
     }
-    return explain_infinite(scene, found);
+    const Cause infinite = explain_infinite(scene, found);
+    return infinite.says != NULL ? infinite : explain_untold(scene, found);
 }
 
 const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers)
