@@ -300,6 +300,7 @@ static void note_own(Grading *grading, int t, int i, int is_others)
         check_fail(check, diagnosis_new("%s: fix what ends the program first%s%s, then grade again",
                                         check->alone, grading->end_task != NULL ? ", " : "",
                                         grading->end_task != NULL ? grading->end_task : ""));
+        check->alone = NULL;  // it is said: blame.c need not say it, too
     }
 }
 

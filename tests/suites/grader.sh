@@ -121,6 +121,17 @@ check "an answer beside a stand-in earns what it passes alone" grades 1 65 $(kep
 check "its mistake is named as by itself" \
     grep -q '; tested alone: it looks drawn as if the search ended after a fixed number' "$reports/results.json"
 
+# Two of which neither comes to its end alone: it is said once, with the task in which the whole ended.
+copy_lab solutions 03-kdtree-2d-render
+printf '    return nodes_Relations[id + 0x7fffffff].id + (uint)(x + y);\n' |
+    answer implicit2DRenderer_KD.cl getContainingChild
+printf '    color = (float4)(circles[id + 0x7fffffff].r);\n' | answer implicit2DRenderer_KD.cl leaf_loop
+# shellcheck disable=SC2046,SC2086 # options
+check "two answers that crash leave the points of the third" grades 1 35 $(kept 03) $submission
+check "what does not come to its end alone says so" grep -q "fix what ends the program first" "$reports/results.json"
+ok "$(grep -c 'tested alone, it does.*tested alone, it does' "$reports/results.json")" "and says it once" \
+    "$(cat "$said")"
+
 # ---- What make says ------------------------------------------------------------------------------
 
 # make_grade STATUS OPTION...: in the course's top folder, by what is built there.

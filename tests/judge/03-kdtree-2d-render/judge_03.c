@@ -121,20 +121,41 @@ static u32 steps_to_leaf(const KdTree2D *tree, int x, int y)
     return steps;
 }
 
-// Is a pixel's work as it should be?
-typedef Diagnosis JudgeWork(const JobScene *scene, int x, int y, Work found);
-
-static const char *explain_steps(u32 found, u32 steps)
+// How many inner nodes the longest path from the root has. Children have higher ids than their
+// parent.
+static u32 longest_path(const KdTree2D *tree)
 {
+    u32 longest = 0, *above = calloc(tree->n_nodes, sizeof *above);
+    for (u32 id = 0; above != NULL && id < tree->n_nodes; id++) {
+        const NodeRel node = tree->nodes_Relations[id];
+        if (tree->nodes_flag[id] != LEAF) {
+            above[node.lChild] = above[node.rChild] = above[id] + 1;
+        }
+        longest = above[id] > longest ? above[id] : longest;
+    }
+    const int is_known = above != NULL;
+    free(above);
+    return is_known ? longest : UINT32_MAX;
+}
+
+// Is a pixel's work as it should be?
+//   is_drawn   every pixel of the scene ended in its leaf, as the picture shows
+typedef Diagnosis JudgeWork(const JobScene *scene, int x, int y, Work found, int is_drawn);
+
+// Were nodes asked again, or others? What is certain: the pixel ended in the right leaf, or the tree
+// has no path of so many.
+static const char *explain_steps(const JobScene *scene, u32 found, u32 steps, int is_drawn)
+{
+    const int is_again = is_drawn || found > longest_path(&scene->tree);
     return steps == 0   ? "the root is a leaf, and there is no step to take"
            : found == 0 ? "either the function was not called, or not with &work: work that is "
                           "hidden cannot be counted"
-           : found == 2 * steps ? "it was called twice for each node"
-           : found > steps      ? "some nodes were asked more than once"
-                                : NULL;
+           : found <= steps || !is_again ? NULL
+           : found == 2 * steps          ? "it was called twice for each node"
+                                         : "some nodes were asked more than once";
 }
 
-static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found)
+static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found, int is_drawn)
 {
     const u32 steps = steps_to_leaf(&scene->tree, x, y);
     return found.n_nodes_visited == steps
@@ -144,7 +165,7 @@ static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found)
                                  "expected %u, once for each inner node on the way to the leaf",
                                  scene->picture.title, x, y, found.n_nodes_visited,
                                  plural(found.n_nodes_visited), steps),
-                     (Cause){.says = explain_steps(found.n_nodes_visited, steps)});
+                     (Cause){.says = explain_steps(scene, found.n_nodes_visited, steps, is_drawn)});
 }
 
 static const char *explain_tests(u32 found, u32 n)
@@ -159,8 +180,9 @@ static const char *explain_tests(u32 found, u32 n)
                        : "circles of the list were not asked";
 }
 
-static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found)
+static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found, int is_drawn)
 {
+    (void)is_drawn;
     const KdTree2D *tree = &scene->tree;
     const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
     return found.n_tests == n
@@ -181,10 +203,14 @@ static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const
     const Work *found = job_work_find(&scene->picture, k, answers);
     Verdict verdict = found == NULL ? verdict_missing : verdict_passed;
     const int step = width * height > 10000 ? 7 : 1;
+    const ProbeImage own = job_picture_answer(&scene->picture, k, answers);
+    const int is_drawn =
+        own.pixels != NULL && (picture_is_right(own, &scene->picture.expected) ||
+                               ends_in_leaves_03(job, k, answers));  // beside stand-ins
     for (int y = 0; y < height; y += step) {
         for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += step) {
             if (cell_holds(scene->tree.nodes_BBox[0], x, y)) {
-                verdict = verdict_of(judge_pixel(scene, x, y, found[y * width + x]));
+                verdict = verdict_of(judge_pixel(scene, x, y, found[y * width + x], is_drawn));
             }
         }
     }

@@ -5,6 +5,7 @@
 #include "job_work.h"
 #include "message.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char *const edge_names[N_EDGES] = {"inside", "large-small", "behind", "one", "none"};
@@ -79,59 +80,108 @@ static int roll(void *pointer, Random *random)
 
 // ---- Scenes -------------------------------------------------------------------------------------
 
-// Does each ray that is wrong hit nothing?
-static int are_all_lost(const JobScene3D *scene, const HitAnswer *found)
+// Are the hits of all scenes those by these rules? Scenes without an answer, behind the end of a
+// program, do not count.
+static int all_follow(const Job05 *job, const OracleRules3D *rules, const Sections *answers)
 {
-    int n_lost = 0;
-    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
-        const OracleHit *hit = &scene->hits[pixel];
-        n_lost += !hit->is_ambiguous && hit->sphere != ORACLE_NO_SPHERE &&
-                  found[pixel].sphere == ORACLE_NO_SPHERE;
-    }
-    return n_lost == hits_count_wrong(scene, found);
-}
-
-// How many of the wrong rays name the sphere's index cut to 16 bits, or the other shell.
-typedef struct ManyCounts {
-    int n_wrong, n_cut, n_other_shell;
-} ManyCounts;
-
-static ManyCounts count_many(const JobScene3D *scene, const HitAnswer *found)
-{
-    ManyCounts counts = {0};
-    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
-        const u32 expected = scene->hits[pixel].sphere;
-        if (!hit_is_right(&scene->hits[pixel], found[pixel]) && expected != ORACLE_NO_SPHERE) {
-            counts.n_wrong++;
-            counts.n_cut += found[pixel].sphere == (expected & 0xffff);
-            counts.n_other_shell += (found[pixel].sphere ^ expected) == 1;
+    int k = 0;
+    for (; k < N_SCENES; k++) {
+        const HitAnswer *found = hits_find(&job->scenes[k], k, answers);
+        if (found != NULL && !hits_follow(&job->scenes[k], found, rules)) {
+            break;
         }
     }
-    return counts;
+    return k == N_SCENES;
 }
 
-static Cause looks_of_many(const JobScene3D *scene, const HitAnswer *found)
+// The known mistake that explains the hits of all scenes, or nothing.
+static Cause mistake_of_all(const Job05 *job, const Sections *answers)
 {
-    const ManyCounts counts = count_many(scene, found);
-    return (Cause){.says = counts.n_wrong == 0              ? NULL
-                           : counts.n_cut == counts.n_wrong ? "the index was cut to 16 bits"
-                           : counts.n_other_shell == counts.n_wrong
-                               ? "as if differences so small did not count: nearer is nearer"
-                               : NULL};
+    OracleRules3D rules = {0};
+    Cause cause = hit_mistake(0, &rules);
+    for (int i = 1; cause.says != NULL && !all_follow(job, &rules, answers); i++) {
+        cause = hit_mistake(i, &rules);
+    }
+    return cause;
 }
+
+// The wrong rays of a scene.
+typedef struct WrongRays {
+    int n, n_lost, n_cut,
+        n_other_shell;  // those that hit nothing, that name the sphere's index cut
+                        // to 16 bits, or the other shell
+    int n_kept;      // that kept a farther sphere which was asked before, or one as far but for a
+                     // millionth
+    int are_of_one;  // there is one sphere that all should hit: then that may be what is missing
+    double nearest, farthest, nearest_right, farthest_right;  // t of what is to be hit
+} WrongRays;
+
+static int is_kept(const OracleHit *expected, HitAnswer found)
+{
+    return found.sphere != ORACLE_NO_SPHERE && found.t > expected->t &&
+           (found.sphere < expected->sphere || found.t <= expected->t * (1 + 0x1p-19));
+}
+
+static void add_wrong(WrongRays *rays, const OracleHit *expected, HitAnswer found)
+{
+    rays->n++;
+    rays->n_lost += found.sphere == ORACLE_NO_SPHERE;
+    rays->n_cut += found.sphere == (expected->sphere & 0xffff);
+    rays->n_other_shell += (found.sphere ^ expected->sphere) == 1;
+    rays->n_kept += is_kept(expected, found);
+    rays->nearest = fmin(rays->nearest, expected->t);
+    rays->farthest = fmax(rays->farthest, expected->t);
+}
+
+static WrongRays list_wrong(const JobScene3D *scene, const HitAnswer *found)
+{
+    WrongRays rays = {.are_of_one = 1, .nearest = INFINITY, .nearest_right = INFINITY};
+    u32 first = ORACLE_NO_SPHERE;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleHit *hit = &scene->hits[pixel];
+        if (hit->is_ambiguous || hit->sphere == ORACLE_NO_SPHERE) {
+            continue;
+        }
+        if (hit_is_right(hit, found[pixel])) {
+            rays.nearest_right = fmin(rays.nearest_right, hit->t);
+            rays.farthest_right = fmax(rays.farthest_right, hit->t);
+        } else {
+            first = rays.n == 0 ? hit->sphere : first;
+            rays.are_of_one &= hit->sphere == first;
+            add_wrong(&rays, hit, found[pixel]);
+        }
+    }
+    return rays;
+}
+
+#define SO_SMALL "as if differences so small did not count: nearer is nearer"
 
 // What wrong hits look like in a scene that is special by its size: one of usual size is right.
 static Cause looks_at_size(const JobScene3D *scene, int k, const HitAnswer *found)
 {
-    if (k == MANY) {
-        return looks_of_many(scene, found);
+    const WrongRays rays = list_wrong(scene, found);
+    const int n = rays.n;
+    const char *says = NULL;
+    if (n == 0 || n != hits_count_wrong(scene, found)) {
+        return (Cause){0};
     }
-    const int are_lost = are_all_lost(scene, found);
-    return (Cause){.says = k == SMALL && are_lost ? "as if hits so close to the eye did not count"
-                           : k == SMALL
-                               ? "as if differences so small did not count: nearer is nearer"
-                           : k == LARGE && are_lost ? "as if hits so far away did not count"
-                                                    : NULL};
+    if (k == MANY && rays.n_cut == n) {
+        says = "the index was cut to 16 bits";
+    } else if (!rays.are_of_one) {
+        says = k == MANY && rays.n_other_shell == n ? SO_SMALL
+               : k == SMALL && rays.n_lost == n && rays.farthest <= rays.nearest_right
+                   ? "as if hits so close to the eye did not count"
+               : k == SMALL && rays.n_kept == n ? SO_SMALL
+               : k == LARGE && rays.n_lost == n && rays.nearest >= rays.farthest_right
+                   ? "as if hits so far away did not count"
+                   : NULL;
+    }
+    return (Cause){.says = says};
+}
+
+static int is_special_by_size(int k)
+{
+    return k == SMALL || k == LARGE || k == MANY;
 }
 
 static Verdict judge_hits(const void *job, int k, const Sections *answers)
@@ -141,7 +191,16 @@ static Verdict judge_hits(const void *job, int k, const Sections *answers)
     if (found == NULL) {
         return verdict_missing;
     }
-    return verdict_of(hits_judge_as(scene, found, looks_at_size(scene, k, found)));
+    if (hits_count_wrong(scene, found) == 0) {
+        return verdict_passed;
+    }
+    // In one scene a few rays may look like more than one mistake.
+    const Cause of_all = mistake_of_all(job, answers);
+    if (of_all.says == NULL && !is_special_by_size(k)) {
+        return verdict_of(hits_judge(scene, found));
+    }
+    return verdict_of(
+        hits_judge_as(scene, found, of_all.says != NULL ? of_all : looks_at_size(scene, k, found)));
 }
 
 // How many spheres are asked where the one before has the same place and radius, or where the

@@ -269,8 +269,11 @@ static int comes_of(const Inputs05 *inputs, Line in, double b, double disc, floa
 #define C (in.c2 - in.radius * in.radius)
 #define LESS_WAY (in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)))
 
-EACH(b_turned, comes_of(inputs, in, -in.b, in.disc, found),
-     "b has the wrong sign: what is ahead is taken for what is behind")
+#define B_TURNED "b has the wrong sign: what is ahead is taken for what is behind"
+
+EACH(b_turned, comes_of(inputs, in, -in.b, in.disc, found), B_TURNED)
+// The same where b is in l, too, as in the projection.
+EACH(b_turned_in_l, comes_of(inputs, in, -in.b, -C - 3 * in.b * in.b, found), B_TURNED)
 EACH(both_undivided, comes_of(inputs, in, 2 * in.b, 4 * in.disc, found),
      "the formula with 2 b divides by 2 in the end: both roots are twice as far")
 EACH(disc_halved, comes_of(inputs, in, in.b, 2 * in.disc, found),
@@ -327,14 +330,14 @@ static const Known *const known_of_root[] = {&touching_missed,  &farther,       
                                              &size_of_disc,     &largest_float,  &zero,
                                              &root_of_negative, &missed};
 static const Known *const known_of_sphere[] = {
-    &touching_missed, &farther,         &any_distance,    &negative_missed, &inside_missed,
-    &sign_ignored,    &t_min_is_0,      &behind_missed,   &negative_always, &b_turned,
-    &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,        &b_doubled,
-    &way_kept,        &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned,
-    &textbook_form,   &lost_afar,       &missed};
+    &touching_missed, &farther,        &any_distance,    &negative_missed, &inside_missed,
+    &sign_ignored,    &t_min_is_0,     &behind_missed,   &negative_always, &b_turned,
+    &b_turned_in_l,   &both_undivided, &disc_halved,     &four_times_c,    &c_turned,
+    &b_doubled,       &way_kept,       &length_as_it_is, &radius_as_it_is, &radius_less_way,
+    &disc_turned,     &textbook_form,  &lost_afar,       &missed};
 static const Known *const known_alone[] = {
-    &b_turned, &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,   &b_doubled,
-    &way_kept, &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned};
+    &b_turned,  &b_turned_in_l, &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,
+    &b_doubled, &way_kept,      &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

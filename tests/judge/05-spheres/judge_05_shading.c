@@ -76,6 +76,11 @@ ANSWERS(turned_by_place, turned(along_ray(in, vector_of(in->point)) > 0, OUTWARD
 ANSWERS(by_radius, vector_scaled(DISTANCE / fabs(in->sphere.radius), NORMAL),
         "it was divided by the radius: where float rounds the point, that is not how far the "
         "centre is, and the normal is no unit vector")
+#define FROM_ORIGIN vector_unit(vector_of(in->point))
+EACH(centre_forgotten,
+     vec3_length(in->point) == 0 || IS_FOUND(turned(along_ray(in, FROM_ORIGIN) > 0, FROM_ORIGIN)) ||
+         (fabs(along_ray(in, FROM_ORIGIN)) < 0x1p-20 && IS_FOUND(vector_scaled(-1, FROM_ORIGIN))),
+     "it points from the scene's origin to the point: the centre was forgotten")
 ONLY(short_kept, IS_FOUND(vector_scaled(DISTANCE, NORMAL)),
      "other normals are right, but a short vector must be made a unit vector, too")
 ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
@@ -83,9 +88,9 @@ ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
      "was multiplied by it")
 
 static const Known *const known_normals[] = {
-    &long_normal,     &long_outwards, &not_turned,   &inwards,       &turned_away,
-    &turned_late,     &turned_early,  &late_by_hair, &early_by_hair, &turned_by_radius,
-    &turned_by_place, &by_radius,     &short_kept,   &vanishes,
+    &long_normal,     &long_outwards, &not_turned,       &inwards,       &turned_away,
+    &turned_late,     &turned_early,  &late_by_hair,     &early_by_hair, &turned_by_radius,
+    &turned_by_place, &by_radius,     &centre_forgotten, &short_kept,    &vanishes,
 };
 
 static char *describe_normal(const void *job, int i, const void *answers)
@@ -123,6 +128,8 @@ RIGHT(is_right_shade, IS_FOUND(SHADED))
 
 // ---- shade: mistakes ----------------------------------------------------------------------------
 
+#define COLOR in.material.color
+
 // Of a negative cosine. What lights behind the surface would add is what they add from behind.
 static OracleNear with_behind(ShadeJob in, const Light *lights, double factor)
 {
@@ -156,6 +163,27 @@ static OracleNear turned_round(ShadeJob in, const Light *lights)
 ANSWERS(way_turned, turned_round(in, lights),
         "the way leads from the light to the point: the light's position less the point is the way "
         "to it")
+
+// Without cosines: of all lights, or of those before the surface.
+static OracleNear uncosined(ShadeJob in, const Light *lights, int of_all)
+{
+    OracleNear sum = {{0}, SHADED.error};
+    for (int i = 0; i < in.n_lights; i++) {
+        const double size = in.material.kd * vec3_length(COLOR) * vec3_length(lights[i].color);
+        if (of_all || vec3_dot(in.normal, vec3_minus(lights[i].position, in.point)) > 0) {
+            const OracleVector share = {(double)COLOR.x * lights[i].color.x,
+                                        (double)COLOR.y * lights[i].color.y,
+                                        (double)COLOR.z * lights[i].color.z};
+            sum.value = vector_plus(sum.value, vector_scaled(in.material.kd, share));
+            sum.error += (4 + in.n_lights) * ROUNDING * size;
+        }
+    }
+    return sum;
+}
+
+#define NO_COSINE "the cosine is missing: the share of each light is multiplied by it"
+ANSWERS(no_cosine, uncosined(in, lights, 1), NO_COSINE)
+ANSWERS(no_cosine_before, uncosined(in, lights, 0), NO_COSINE)
 
 // Of the number of lights.
 static ShadeJob lit_by(ShadeJob in, int n_lights)
@@ -206,7 +234,6 @@ static ShadeJob changed(ShadeJob in, Vec3 point, float kd, Vec3 color)
     return in;
 }
 
-#define COLOR in.material.color
 static const Vec3 zero = {0, 0, 0}, white = {1, 1, 1};
 
 ANSWERS(from_origin, shaded(changed(in, zero, in.material.kd, COLOR), lights),
@@ -315,12 +342,13 @@ ANSWERS(decoded, bent(SHADED, 2.2),
         MISTAKE_GAMMA)
 
 static const Known *const known_shades[] = {
-    &not_clamped,    &lit_behind, &way_turned,     &sum_clamped,    &first_only,     &first_4,
-    &first_8,        &first_16,   &first_32,       &first_64,       &first_128,      &first_256,
-    &last_only,      &one_more,   &stops_behind,   &from_origin,    &kd_missing,     &color_missing,
-    &way_not_unit,   &falls,      &no_light_color, &light_red_only, &light_cut_at_1, &kd_each_time,
-    &brightest_only, &mean,       &cut_at_1,       &highlight,      &swapped,        &encoded,
-    &decoded,
+    &not_clamped,    &lit_behind,     &way_turned,       &sum_clamped,  &first_only,
+    &first_4,        &first_8,        &first_16,         &first_32,     &first_64,
+    &first_128,      &first_256,      &last_only,        &one_more,     &stops_behind,
+    &from_origin,    &kd_missing,     &color_missing,    &way_not_unit, &falls,
+    &no_light_color, &light_red_only, &light_cut_at_1,   &kd_each_time, &brightest_only,
+    &mean,           &cut_at_1,       &highlight,        &swapped,      &encoded,
+    &decoded,        &no_cosine,      &no_cosine_before,
 };
 
 static char *describe_shade(const void *job, int i, const void *answers)

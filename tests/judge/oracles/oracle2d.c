@@ -196,10 +196,13 @@ static const u32 *list_at(const KdTree2D *tree, double x, double y)
     return NULL;
 }
 
-// The id that is asked for entry i of a list.
-static u32 id_of_entry(const u32 *list, u32 i, OracleId id)
+// The id that is asked for entry i of a list in the tree's map.
+static u32 id_of_entry(const KdTree2D *tree, const u32 *list, u32 i, OracleId id)
 {
-    return id == ID_PLACE_FROM_0 ? i - 1 : id == ID_PLACE_FROM_1 ? i : list[i];
+    return id == ID_PLACE_FROM_0   ? i - 1
+           : id == ID_PLACE_FROM_1 ? i
+           : id == ID_PLACE_IN_MAP ? (u32)(list - tree->mapNode2Circles) + i
+                                   : list[i];
 }
 
 void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *tree,
@@ -213,7 +216,7 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
             double limit = INFINITY;
             for (u32 i = (u32)rules->skip_first; !is_end(i, n, found, rules); i++) {
                 const u32 *ids = rules->first_ids ? tree->mapNode2Circles : list;
-                const u32 id = id_of_entry(ids, 1 + i, rules->id);
+                const u32 id = id_of_entry(tree, ids, 1 + i, rules->id);
                 if (id >= (u32)n_circles) {
                     tolerances[(size_t)v * (size_t)image->width + (size_t)u] = INFINITY;
                     continue;

@@ -15,6 +15,7 @@ typedef enum OracleId {
     ID_LISTED,        // what stands in the list
     ID_PLACE_FROM_0,  // its place in the list, without the count
     ID_PLACE_FROM_1,  // its place with the count, which is at place 0
+    ID_PLACE_IN_MAP,  // its place in mapNode2Circles
 } OracleId;
 
 // Channels of a colour, as bits.

@@ -83,8 +83,11 @@ static Tally compare(ProbeImage own, const ExpectedPicture *expected, const Mist
     return tally;
 }
 
-// Is nearly all lost that should be drawn, and nothing else wrong? Many a mistake leaves that.
-static int is_lost(ProbeImage own, const ExpectedPicture *expected)
+// How much of what should be drawn is lost, where nothing else is wrong? Many a mistake leaves a
+// picture of which something is missing, and more of them one of which nearly all is.
+typedef enum Lost { LOST_NOTHING, LOST_SOME, LOST_MOST } Lost;
+
+static Lost how_lost(ProbeImage own, const ExpectedPicture *expected)
 {
     int n_drawn = 0, n_lost = 0;
     for (int i = 0; i < expected_n_pixels(expected); i++) {
@@ -92,23 +95,24 @@ static int is_lost(ProbeImage own, const ExpectedPicture *expected)
         const int is_background = is_same_color(pixel.own, expected->background, 0);
         const int is_wrong = !is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
         if (is_wrong && !is_background) {
-            return 0;
+            return LOST_NOTHING;
         }
         n_drawn += !is_same_color(pixel.wanted, expected->background, 0);
         n_lost += is_wrong;
     }
-    return 10 * n_lost >= 9 * n_drawn;
+    return n_lost == 0 ? LOST_NOTHING : 10 * n_lost >= 9 * n_drawn ? LOST_MOST : LOST_SOME;
 }
 
 // The scene's mistake that the picture looks like: the first that it is to the last pixel, or where
-// it is none, the first that it resembles. Two may resemble it where a picture is sparse. Where
-// nearly all is lost, nothing is known if two mistakes lose the same.
+// it is none, the first that it resembles. Where something is lost and nothing else wrong, it is not
+// enough to resemble; where nearly all is lost, nothing is known if two mistakes lose the same.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     MistakenPictures *known = expected->mistaken;
     Cause looks = {0};
     int is_exact = 0;
-    const int may_be_other = known != NULL && is_lost(own, expected);
+    const Lost lost = known != NULL ? how_lost(own, expected) : LOST_NOTHING;
+    const int may_be_other = lost == LOST_MOST;
     for (int i = 0; known != NULL && (!is_exact || may_be_other); i++) {
         if ((i == known->n && draw_next(expected) != 0) || known->pictures[i].looks.says == NULL) {
             break;
@@ -120,7 +124,8 @@ Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
         if (is_exact && is_other_exact && strcmp(looks.says, other->says) != 0) {
             return (Cause){0};
         }
-        if (!is_exact && (is_other_exact || (looks.says == NULL && is_like))) {
+        if (!is_exact &&
+            (is_other_exact || (lost == LOST_NOTHING && looks.says == NULL && is_like))) {
             looks = *other;
         }
         is_exact |= is_other_exact;
@@ -218,7 +223,8 @@ Cause picture_known(ProbeImage own, const ExpectedPicture *expected)
 
 Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found)
 {
-    if (is_other_background(own, expected)) {
+    // One circle too many may cover all of an empty picture.
+    if (!shows_beyond(own, expected) && is_other_background(own, expected)) {
         const float *color = expected->background;
         const Words background =
             words("right but for the background, which is (%g, %g, %g, %g) in all four channels",

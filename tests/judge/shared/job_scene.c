@@ -196,6 +196,7 @@ static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Ima
 #define FIRST_LIST                                                                                 \
     "drawn as if every pixel read the list at the start of mapNode2Circles: a leaf's ids begin "   \
     "behind its circleMapOffset, and that of an inner node points to the start"
+#define PLACE_AS_ID "drawn as if a position in the list were used as the circle's id"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
 // The oracle's mistakes, of circles or of squares. As DrawMistaken has it.
@@ -266,10 +267,9 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
          {.skip_last = 1}},
         {{.says = UNCOVERING}, {.all_limit = 1}},
         {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
-        {{.says = "drawn as if a position in the list were used as the circle's id"},
-         {.id = ID_PLACE_FROM_0}},
-        {{.says = "drawn as if a position in the list were used as the circle's id"},
-         {.id = ID_PLACE_FROM_1}},
+        {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_0}},
+        {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_1}},
+        {{.says = PLACE_AS_ID}, {.id = ID_PLACE_IN_MAP}},
         {{.says = FIRST_LIST}, {.first_ids = 1}},
         {{.says = FIRST_LIST}, {.first_list = 1}},
     };

@@ -68,9 +68,11 @@ int hit_is_right(const OracleHit *expected, HitAnswer found);
 // explains all of them, if one does. Owned by the caller.
 Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found);
 
-// The same where more is known of what they look like: that counts before known mistakes, unless
-// `looks` says nothing.
+// The same where it is known what they look like, if anything.
 Diagnosis hits_judge_as(const JobScene3D *scene, const HitAnswer *found, Cause looks);
+
+// Are they those by these rules, where rounding decides nothing?
+int hits_follow(const JobScene3D *scene, const HitAnswer *found, const OracleRules3D *rules);
 
 // Number i of the known mistakes of hits, and the rules by which the oracle makes it. Nothing
 // behind the last.

@@ -193,28 +193,59 @@ Cause hit_mistake(int i, OracleRules3D *rules)
     return mistakes[number].looks;
 }
 
+// The same of spheres that are not told, though they are found: every t is right.
+static Cause explain_untold(const JobScene3D *scene, const HitAnswer *found)
+{
+    int n_hits = 0;
+    for (int pixel = 0; pixel < scene->scene.width * scene->scene.height; pixel++) {
+        const OracleHit *hit = &scene->hits[pixel];
+        const HitAnswer told = {found[pixel].t, hit->sphere};
+        if (found[pixel].sphere != ORACLE_NO_SPHERE || !hit_is_right(hit, told)) {
+            return (Cause){0};
+        }
+        n_hits += !isinf(found[pixel].t);
+    }
+    return (Cause){.says = n_hits > 0 ? "as if hit.sphere were never set: it is NO_SPHERE for "
+                                        "every hit"
+                                      : NULL};
+}
+
+// As hits_follow(), and how many rays hit anything then.
+static int follow(const JobScene3D *scene, const HitAnswer *found, const OracleRules3D *rules,
+                  int *n_hits)
+{
+    const Scene3D *s = &scene->scene;
+    int explains = 1;
+    *n_hits = 0;
+    for (int pixel = 0; explains && pixel < s->width * s->height; pixel++) {
+        const OracleRay ray = oracle3d_primary_ray(&scene->camera, pixel % s->width,
+                                                   pixel / s->width, s->width, s->height, rules);
+        const OracleHit hit = oracle3d_nearest(s->spheres, (u32)s->n_spheres, &ray, rules);
+        explains = scene->hits[pixel].is_ambiguous || hit_is_right(&hit, found[pixel]);
+        *n_hits += hit.sphere != ORACLE_NO_SPHERE;
+    }
+    return explains;
+}
+
+int hits_follow(const JobScene3D *scene, const HitAnswer *found, const OracleRules3D *rules)
+{
+    int n_hits;
+    return follow(scene, found, rules, &n_hits);
+}
+
 // What wrong hits look like: the mistake that explains all of them, if one does. Rays and
 // colours have no part in them.
 static Cause explain_hits(const JobScene3D *scene, const HitAnswer *found)
 {
-    const Scene3D *s = &scene->scene;
     for (int i = FIRST_HIT_MISTAKE; is_brute_force(scene) && i < FIRST_COLOR_MISTAKE; i++) {
-        int explains = 1, n_hits = 0;
-        for (int pixel = 0; explains && pixel < s->width * s->height; pixel++) {
-            const OracleRay ray =
-                oracle3d_primary_ray(&scene->camera, pixel % s->width, pixel / s->width, s->width,
-                                     s->height, &mistakes[i].rules);
-            const OracleHit hit =
-                oracle3d_nearest(s->spheres, (u32)s->n_spheres, &ray, &mistakes[i].rules);
-            explains = scene->hits[pixel].is_ambiguous || hit_is_right(&hit, found[pixel]);
-            n_hits += hit.sphere != ORACLE_NO_SPHERE;
-        }
+        int n_hits;
         // That nothing at all is hit has many reasons.
-        if (explains && n_hits > 0) {
+        if (follow(scene, found, &mistakes[i].rules, &n_hits) && n_hits > 0) {
             return mistakes[i].looks;
         }
     }
-    return explain_infinite(scene, found);
+    const Cause infinite = explain_infinite(scene, found);
+    return infinite.says != NULL ? infinite : explain_untold(scene, found);
 }
 
 const HitAnswer *hits_find(const JobScene3D *scene, int k, const Sections *answers)
@@ -249,11 +280,11 @@ Diagnosis hits_judge_as(const JobScene3D *scene, const HitAnswer *found, Cause l
         scene->picture.title, first % width, first / width,
         hit_words(found[first].sphere, found[first].t).text,
         hit_words(wanted->sphere, wanted->t).text, n_wrong, width * height);
-    return diagnosis_seen(wrong, looks.says != NULL ? looks : explain_hits(scene, found),
-                          EVIDENCE_RAYS);
+    return diagnosis_seen(wrong, looks, EVIDENCE_RAYS);
 }
 
 Diagnosis hits_judge(const JobScene3D *scene, const HitAnswer *found)
 {
-    return hits_judge_as(scene, found, (Cause){0});
+    return hits_judge_as(
+        scene, found, hits_count_wrong(scene, found) > 0 ? explain_hits(scene, found) : (Cause){0});
 }

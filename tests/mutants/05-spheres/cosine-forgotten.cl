@@ -1,7 +1,7 @@
 // mutant: the cosine is left out
 // task: shade
 // caught by: shade-lambert
-// says: found
+// says: cosine is missing
     for (int i = 0; i < n_lights; i++) {
         const Light light = lights[i];
         const float3 to_light = normalize(to_float3(light.position) - point);
