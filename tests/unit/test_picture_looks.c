@@ -262,7 +262,8 @@ static Case *case_open_sparse(float radius)
     return c;
 }
 
-// The boundary of the circle of radius 5 passes through these pixels: a strict comparison loses them.
+// The boundary of the circle of radius 5 passes through these pixels: a strict comparison loses
+// them.
 enum { N_RIM = 12 };
 static const int rim[N_RIM][2] = {{45, 30}, {43, 34}, {44, 33}, {40, 35}, {35, 30}, {36, 27},
                                   {37, 26}, {40, 25}, {43, 26}, {44, 27}, {37, 34}, {36, 33}};

@@ -142,8 +142,8 @@ static u32 longest_path(const KdTree2D *tree)
 //   is_drawn   every pixel of the scene ended in its leaf, as the picture shows
 typedef Diagnosis JudgeWork(const JobScene *scene, int x, int y, Work found, int is_drawn);
 
-// Were nodes asked again, or others? What is certain: the pixel ended in the right leaf, or the tree
-// has no path of so many.
+// Were nodes asked again, or others? It is certain if the pixel ended in its leaf, or the
+// tree has no path of so many.
 static const char *explain_steps(const JobScene *scene, u32 found, u32 steps, int is_drawn)
 {
     const int is_again = is_drawn || found > longest_path(&scene->tree);

@@ -104,8 +104,8 @@ static Lost how_lost(ProbeImage own, const ExpectedPicture *expected)
 }
 
 // The scene's mistake that the picture looks like: the first that it is to the last pixel, or where
-// it is none, the first that it resembles. Where something is lost and nothing else wrong, it is not
-// enough to resemble; where nearly all is lost, nothing is known if two mistakes lose the same.
+// it is none, the first that it resembles. Where something is lost and nothing else wrong, it is
+// not enough to resemble; where nearly all is lost, nothing is known if two mistakes lose the same.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
 {
     MistakenPictures *known = expected->mistaken;
