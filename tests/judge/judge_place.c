@@ -31,6 +31,13 @@ static const Function *function_find(const Judge *judge, const char *section, si
     return NULL;
 }
 
+// Where a check's words about an input end and those about the answer begin, or NULL.
+static const char *answer_begin(const char *told)
+{
+    const char *found = strstr(told, ": found");
+    return found != NULL ? found : strstr(told, ": your code ");
+}
+
 // The words for an input on the device: what a check says of a wrong answer to it begins with them,
 // and the answer follows. "" where no check has any.
 static void describe_by_check(const Job *job, const char *section, uint32_t number, size_t n,
@@ -41,7 +48,7 @@ static void describe_by_check(const Job *job, const char *section, uint32_t numb
     char *told = answers != NULL ? function->describe((const char *)job + function->inputs,
                                                       (int)number, answers)
                                  : NULL;
-    const char *answer = told != NULL ? strstr(told, ": found") : NULL;
+    const char *answer = told != NULL ? answer_begin(told) : NULL;
     snprintf(words, n_room, "%.*s", answer != NULL ? (int)(answer - told) : 0, answer ? told : "");
     free(told);
     free(answers);
