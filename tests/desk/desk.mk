@@ -7,6 +7,8 @@ $(DESK): $(call objects,$(DESK_SOURCES)) $(OUT)/libgrader.a $(OUT)/libcommon.a |
 	$(call link,$(LIBRARIES))
 
 grader: $(DESK)
+# What make grade does behind a verdict on one's own answers.
+note_own = @$(DESK) note --build $(OUT) --make "$(MAKE)" --lab $(graded_lab) $(if $(DEVICE),--device "$$DEVICE") || true
 needs_lab = test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
 .PHONY: watch hint progress
 watch: graded $(DESK)  ## after every save compile, draw and grade: LAB=03 [OPTIONS="--scene ..."] [DEVICE=d]

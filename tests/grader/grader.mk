@@ -83,11 +83,11 @@ lab-grader: graded
 verdict_is_no_fault = || test $$? -eq 1
 
 # Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
-grade: graded $$(if $$(SUBMISSION),,$$(DESK))  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1]
+grade: graded $$(DESK)  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1]
 	@$(say_which_lab)
 	$(if $(and $(FORMAT),$(graded_lab)),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
 	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
 	    $(if $(TASK),--task "$$TASK",$(if $(ALL),,--first)) $(verdict_is_no_fault)
-	$(if $(or $(SUBMISSION),$(if $(DESK),,none)),,@$(DESK) note --build $(OUT) --make "$(MAKE)" --lab $(graded_lab) $(if $(DEVICE),--device "$$DEVICE") || true)
+	$(if $(SUBMISSION),,$(note_own))
