@@ -10,25 +10,11 @@
 #include "participant_fit.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { STUDENT, TASK, POINTS, COMMENT, UNTIL, N_COLUMNS };
 static const char *const titles[N_COLUMNS] = {"student", "task", "points", "comment", "until"};
-
-// One message about a line. Returns -1.
-__attribute__((format(printf, 3, 4))) static int fault(const Corrections *corrections, int line,
-                                                       const char *format, ...)
-{
-    char reason[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(reason, sizeof reason, format, arguments);
-    va_end(arguments);
-    complain("gradebook: %s: line %d: %s", corrections->path, line, reason);
-    return -1;
-}
 
 // ---- A line ------------------------------------------------------------------------------------
 
@@ -79,24 +65,27 @@ static int student_find(const Corrections *corrections, const Gradebook *gradebo
     const Called called = called_student(gradebook, worksheet, name);
     const Called without = called_without(worksheet, name);
     if (called.n > 1) {
-        return fault(corrections, correction->line,
-                     "\"%.200s\" is the name of %d submissions, among them %.100s and %.100s; "
-                     "expected one of these slugs",
-                     name, called.n, gradebook->rows[called.first].entrant->slug,
-                     gradebook->rows[called.last].entrant->slug);
+        return sheet_fault(
+            corrections->path, correction->line,
+            "\"%.200s\" is the name of %d submissions, among them %.100s and %.100s; "
+            "expected one of these slugs",
+            name, called.n, gradebook->rows[called.first].entrant->slug,
+            gradebook->rows[called.last].entrant->slug);
     }
     if (called.n + without.n > 1) {
-        return fault(corrections, correction->line,
-                     "\"%.200s\" fits line %d of the list of participants, and %s; expected a slug "
-                     "or an e-mail address",
-                     name, without.first + 1,
-                     called.n > 0 ? "a submission that is not entered for it" : "another one");
+        return sheet_fault(
+            corrections->path, correction->line,
+            "\"%.200s\" fits line %d of the list of participants, and %s; expected a slug "
+            "or an e-mail address",
+            name, without.first + 1,
+            called.n > 0 ? "a submission that is not entered for it" : "another one");
     }
     if (called.n + without.n == 0) {
-        return fault(corrections, correction->line,
-                     "found the student \"%.200s\", who is not in this class; expected a name, "
-                     "number, slug or e-mail address as in gradebook.json",
-                     name);
+        return sheet_fault(
+            corrections->path, correction->line,
+            "found the student \"%.200s\", who is not in this class; expected a name, "
+            "number, slug or e-mail address as in gradebook.json",
+            name);
     }
     if (called.n == 1) {
         correction->row = &gradebook->rows[called.first];
@@ -144,23 +133,25 @@ static int change_read(const Corrections *corrections, const Manifest *manifest,
         return 0;
     }
     if (task_find(manifest, id, correction) != 0) {
-        return fault(corrections, line, "found the task \"%.200s\", expected a task or check of %s",
-                     id, manifest->lab);
+        return sheet_fault(corrections->path, line,
+                           "found the task \"%.200s\", expected a task or check of %s", id,
+                           manifest->lab);
     }
     if (points[0] == '\0') {
         return 0;
     }
     if (points_read(points, correction) != 0) {
-        return fault(corrections, line,
-                     "found \"%.200s\" points, expected a whole number such as 12, +5 or -5",
-                     points);
+        return sheet_fault(corrections->path, line,
+                           "found \"%.200s\" points, expected a whole number such as 12, +5 or -5",
+                           points);
     }
     if (correction->row == NULL) {
-        return fault(corrections, line, "found points of a student who handed in nothing");
+        return sheet_fault(corrections->path, line,
+                           "found points of a student who handed in nothing");
     }
     if (abs(correction->points) > correction->max_points) {
-        return fault(corrections, line, "found %s points, but %s has 0 to %d", points, id,
-                     correction->max_points);
+        return sheet_fault(corrections->path, line, "found %s points, but %s has 0 to %d", points,
+                           id, correction->max_points);
     }
     return 0;
 }
@@ -200,27 +191,27 @@ static int line_read(Corrections *corrections, const Manifest *manifest, const G
                                .until = cell_of(line, columns[UNTIL])};
     corrections->n++;
     if (correction->comment == NULL) {
-        return fault(corrections, correction->line, "out of memory");
+        return sheet_fault(corrections->path, correction->line, "out of memory");
     }
     int result =
         student_find(corrections, gradebook, line->cells[columns[STUDENT]], correction) != 0 ||
         change_read(corrections, manifest, line->cells[columns[TASK]], line->cells[columns[POINTS]],
                     correction) != 0;
     if (result == 0 && correction->until[0] != '\0' && !is_day(correction->until)) {
-        result = fault(corrections, correction->line,
-                       "found \"%.200s\" in the column \"until\", expected a day such as "
-                       "2026-12-24",
-                       correction->until);
+        result = sheet_fault(corrections->path, correction->line,
+                             "found \"%.200s\" in the column \"until\", expected a day such as "
+                             "2026-12-24",
+                             correction->until);
     }
     if (result == 0 && !correction->has_points && correction->comment[0] == '\0' &&
         correction->until[0] == '\0') {
-        result = fault(corrections, correction->line,
-                       "found a student only, expected points, a comment or a day");
+        result = sheet_fault(corrections->path, correction->line,
+                             "found a student only, expected points, a comment or a day");
     }
     const int taken = result == 0 ? is_taken(corrections, correction) : 0;
     if (taken > 0) {
-        result =
-            fault(corrections, correction->line, "line %d changes the same points already", taken);
+        result = sheet_fault(corrections->path, correction->line,
+                             "line %d changes the same points already", taken);
     }
     return result != 0 ? -1 : 0;
 }
@@ -241,7 +232,7 @@ int corrections_load(const char *path, const char *lab, const Gradebook *gradebo
     }
     if (result == 0) {
         corrections->all = calloc((size_t)sheet->n_lines, sizeof *corrections->all);
-        result = corrections->all != NULL ? 0 : fault(corrections, 1, "out of memory");
+        result = corrections->all != NULL ? 0 : sheet_fault(corrections->path, 1, "out of memory");
     }
     for (int i = 1; result == 0 && i < sheet->n_lines; i++) {
         if (!sheet_line_is_empty(sheet, &sheet->lines[i])) {
@@ -287,14 +278,16 @@ static int change_find(const Corrections *corrections, const Gradebook *gradeboo
                            ? column_find(gradebook->checks, gradebook->n_checks, id)
                            : column_find(gradebook->tasks, gradebook->n_tasks, id);
     if (column < 0) {
-        return fault(corrections, correction->line, "%s is not in the results of this class", id);
+        return sheet_fault(corrections->path, correction->line,
+                           "%s is not in the results of this class", id);
     }
     correction->before =
         correction->check != NULL ? row->check_points[column] : row->points[column];
     correction->after = correction->points + (correction->is_relative ? correction->before : 0);
     if (correction->after < 0 || correction->after > correction->max_points) {
-        return fault(corrections, correction->line, "%+d to the %d points of %s is not in 0 to %d",
-                     correction->points, correction->before, id, correction->max_points);
+        return sheet_fault(corrections->path, correction->line,
+                           "%+d to the %d points of %s is not in 0 to %d", correction->points,
+                           correction->before, id, correction->max_points);
     }
     correction->is_applied = 1;
     return 0;

@@ -9,7 +9,6 @@
 #include "path.h"
 #include "tally.h"
 
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -26,19 +25,6 @@ const char *decision_word(DecisionKind kind)
     return words[kind];
 }
 
-// One message about a line. Returns -1.
-__attribute__((format(printf, 3, 4))) static int fault(const char *path, int line,
-                                                       const char *format, ...)
-{
-    char reason[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(reason, sizeof reason, format, arguments);
-    va_end(arguments);
-    complain("gradebook: %s: line %d: %s", path, line, reason);
-    return -1;
-}
-
 // ---- Reading -----------------------------------------------------------------------------------
 
 static int row_find(const Decisions *decisions, const Gradebook *gradebook, const char *entry,
@@ -47,24 +33,24 @@ static int row_find(const Decisions *decisions, const Gradebook *gradebook, cons
     const Called called = called_entry(gradebook, entry);
     const char *path = decisions->path;
     if (called.n == 0) {
-        return fault(path, decision->line,
-                     "found the entry \"%.200s\", expected an \"entry\" or \"id\" of "
-                     "gradebook.json",
-                     entry);
+        return sheet_fault(path, decision->line,
+                           "found the entry \"%.200s\", expected an \"entry\" or \"id\" of "
+                           "gradebook.json",
+                           entry);
     }
     const Row *row = &gradebook->rows[called.first];
     if (called.n > 1) {
-        return fault(path, decision->line,
-                     "\"%.200s\" is the name of %d entries, among them %.100s and %.100s; expected "
-                     "one of these slugs",
-                     entry, called.n, row->entrant->slug,
-                     gradebook->rows[called.last].entrant->slug);
+        return sheet_fault(
+            path, decision->line,
+            "\"%.200s\" is the name of %d entries, among them %.100s and %.100s; expected "
+            "one of these slugs",
+            entry, called.n, row->entrant->slug, gradebook->rows[called.last].entrant->slug);
     }
     const Row *counts = row_that_counts(gradebook, row);
     if (counts != row) {
-        return fault(path, decision->line,
-                     "\"%.200s\" is another attempt of a student of whom \"%.200s\" counts", entry,
-                     counts->entrant->entry);
+        return sheet_fault(path, decision->line,
+                           "\"%.200s\" is another attempt of a student of whom \"%.200s\" counts",
+                           entry, counts->entrant->entry);
     }
     decision->row = called.first;
     return 0;
@@ -79,15 +65,17 @@ static int participant_find(const Decisions *decisions, const Worksheet *workshe
         return 0;
     }
     if (called.n > 1) {
-        return fault(decisions->path, decision->line,
-                     "\"%.200s\" fits %d lines of the list of participants, among them %d and %d; "
-                     "expected an address or a number",
-                     decision->student, called.n, called.first + 1, called.last + 1);
+        return sheet_fault(
+            decisions->path, decision->line,
+            "\"%.200s\" fits %d lines of the list of participants, among them %d and %d; "
+            "expected an address or a number",
+            decision->student, called.n, called.first + 1, called.last + 1);
     }
-    return fault(decisions->path, decision->line,
-                 "found the student \"%.200s\", expected a name, number or address of the list of "
-                 "participants",
-                 decision->student);
+    return sheet_fault(
+        decisions->path, decision->line,
+        "found the student \"%.200s\", expected a name, number or address of the list of "
+        "participants",
+        decision->student);
 }
 
 static int kind_read(const Decisions *decisions, const char *counts, Decision *decision)
@@ -99,15 +87,15 @@ static int kind_read(const Decisions *decisions, const char *counts, Decision *d
         }
     }
     if (counts[0] != '\0') {
-        return fault(decisions->path, decision->line,
-                     "found \"%.200s\" in the column \"counts\", expected yes, no or ignore",
-                     counts);
+        return sheet_fault(decisions->path, decision->line,
+                           "found \"%.200s\" in the column \"counts\", expected yes, no or ignore",
+                           counts);
     }
     const int has_student = decision->student[0] != '\0';
     if (has_student != (decision->kind != DECISION_IGNORE)) {
-        return fault(decisions->path, decision->line, "found %s beside \"%s\", expected %s",
-                     has_student ? "a student" : "no student", decision_word(decision->kind),
-                     has_student ? "none" : "one");
+        return sheet_fault(decisions->path, decision->line, "found %s beside \"%s\", expected %s",
+                           has_student ? "a student" : "no student", decision_word(decision->kind),
+                           has_student ? "none" : "one");
     }
     return 0;
 }
@@ -120,14 +108,15 @@ static int contradiction_find(const Decisions *decisions, const Decision *decisi
         if (other->row == decision->row &&
             (other->kind != DECISION_YES || decision->kind != DECISION_YES ||
              other->participant == decision->participant)) {
-            return fault(decisions->path, decision->line,
-                         "line %d decides about the same entry already", other->line);
+            return sheet_fault(decisions->path, decision->line,
+                               "line %d decides about the same entry already", other->line);
         }
         if (other->kind == DECISION_YES && decision->kind == DECISION_YES &&
             other->participant == decision->participant) {
-            return fault(decisions->path, decision->line,
-                         "line %d gives the same student another entry: one of them needs \"no\"",
-                         other->line);
+            return sheet_fault(
+                decisions->path, decision->line,
+                "line %d gives the same student another entry: one of them needs \"no\"",
+                other->line);
         }
     }
     return 0;
@@ -165,7 +154,7 @@ int decisions_load(const char *path, const Gradebook *gradebook, const Worksheet
     }
     if (result == 0) {
         decisions->all = calloc((size_t)sheet->n_lines, sizeof *decisions->all);
-        result = decisions->all != NULL ? 0 : fault(path, 1, "out of memory");
+        result = decisions->all != NULL ? 0 : sheet_fault(path, 1, "out of memory");
     }
     for (int i = 1; result == 0 && i < sheet->n_lines; i++) {
         result = line_read(decisions, gradebook, worksheet, i, columns);

@@ -6,6 +6,7 @@
 
 #include <csv.h>
 #include <errno.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,17 @@
 static int fault(const char *path, const char *what)
 {
     complain("gradebook: %s: %s", path, what);
+    return -1;
+}
+
+int sheet_fault(const char *path, int line, const char *format, ...)
+{
+    char reason[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(reason, sizeof reason, format, arguments);
+    va_end(arguments);
+    complain("gradebook: %s: line %d: %s", path, line, reason);
     return -1;
 }
 

@@ -29,6 +29,10 @@ void sheet_free(Sheet *sheet);
 int sheet_columns_find(const Sheet *sheet, const char *path, const char *const *titles,
                        int n_titles, int n_needed, int *columns);
 
+// One message about a line, the head being line 1. Returns -1.
+__attribute__((format(printf, 3, 4))) int sheet_fault(const char *path, int line,
+                                                      const char *format, ...);
+
 // Has a line no text in any cell?
 int sheet_line_is_empty(const Sheet *sheet, const SheetLine *line);
 

@@ -2,6 +2,7 @@
 #include "results.h"
 
 #include "complain.h"
+#include "result.h"
 
 #include <string.h>
 
@@ -44,8 +45,7 @@ const json_t *results_first_fault(const json_t *results)
 
 int fault_is_unanswered(const json_t *check)
 {
-    static const char begin[] = "not answered yet";
-    return strncmp(text_of(check, "message"), begin, strlen(begin)) == 0;
+    return strncmp(text_of(check, "message"), NOT_ANSWERED, strlen(NOT_ANSWERED)) == 0;
 }
 
 static int points_in(const json_t *results, const char *id)

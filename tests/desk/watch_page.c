@@ -10,7 +10,17 @@
 #include "results.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+void news_free(News *news)
+{
+    free(news->state);
+    free(news->said);
+    free(news->command);
+    free(news->changes);
+    json_decref(news->results);
+}
 
 static void head_write(FILE *page, const Manifest *lab, const News *news)
 {

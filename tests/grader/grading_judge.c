@@ -105,10 +105,10 @@ static void note_unanswered(CheckResult *check, const char *untried)
         check_fail(check, diagnosis_new("%s", untried));
     } else if (check->status == CHECK_PASSED) {
         check_fail(check,
-                   diagnosis_new("not answered yet: it stands as it was handed out, and "
-                                 "what is right here was given, or is another answer's work"));
+                   diagnosis_new(NOT_ANSWERED ", and what is right here was given, or is another "
+                                              "answer's work"));
     } else {
-        check_tell(check, diagnosis_new("not answered yet: it stands as it was handed out"));
+        check_tell(check, diagnosis_new(NOT_ANSWERED));
     }
     check->is_unanswered = 1;
     check->is_explained = untried != NULL;

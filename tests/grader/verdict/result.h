@@ -14,6 +14,9 @@ typedef enum CheckStatus {
 } CheckStatus;
 
 // One check, judged.
+// How the message of a check begins whose task stands as it was handed out.
+#define NOT_ANSWERED "not answered yet: it stands as it was handed out"
+
 typedef struct CheckResult {
     const char *id;     // "overlaps-boundary"
     const char *title;  // "Points on the boundary belong to the circle"
