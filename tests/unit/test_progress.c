@@ -1,12 +1,19 @@
 // grader/progress: the line that says what is done, on a terminal and nowhere else.
 #include "progress.h"
+#include "sandbox_clock.h"
 #include "surroundings.h"
 
 #include <fcntl.h>
-#include <poll.h>
-#include <time.h>
 
 TestSuite(progress, .init = folder_enter, .fini = folder_leave);
+
+// The clock stands still unless a test moves it: a busy machine cannot change what is shown.
+static double now = 1000;
+
+double seconds_now(void)
+{
+    return now;
+}
 
 // Make stderr a terminal. Returns its other end, which shows what is on the screen.
 static int terminal_open(void)
@@ -21,64 +28,60 @@ static int terminal_open(void)
     return screen;
 }
 
-// Read what was written to it, or "" if that is nothing.
-static void screen_read(int screen, char *text, size_t n_room)
+// Expect that exactly this was written to it since the last time. Two writes may arrive one by one:
+// a mark after them says where they end.
+static void expect_screen(int screen, const char *expected, const char *when)
 {
-    struct pollfd ready = {screen, POLLIN, 0};
-    const ssize_t n = poll(&ready, 1, 0) > 0 ? read(screen, text, n_room - 1) : 0;
-    text[n > 0 ? n : 0] = '\0';
-}
-
-// Show it again and again until there is something to see.
-static void show_until_seen(int screen, char *text, size_t n_room)
-{
-    const struct timespec pause = {.tv_nsec = 20 * 1000 * 1000};
-    for (text[0] = '\0'; text[0] == '\0'; nanosleep(&pause, NULL)) {
-        progress_show();
-        screen_read(screen, text, n_room);
-    }
+    char text[128];
+    size_t n = 0;
+    cr_assert_eq(write(STDERR_FILENO, "|", 1), 1);
+    do {
+        cr_assert_lt(n, sizeof text);
+        cr_assert_eq(read(screen, text + n, 1), 1);
+    } while (text[n++] != '|');
+    text[n - 1] = '\0';
+    cr_expect_str_eq(text, expected, "%s: \"%s\", expected \"%s\"", when, text, expected);
 }
 
 Test(progress, a_line_says_what_is_done_and_for_how_long)
 {
-    char text[128];
     const int screen = terminal_open();
     progress_say("checking %s alone: task %d of %d", "lit_color", 2, 3);
+    now += 1.9;
     progress_show();
-    screen_read(screen, text, sizeof text);
-    cr_expect_str_eq(text, "", "not at once");
-    show_until_seen(screen, text, sizeof text);
-    cr_expect_str_eq(text, "\r\033[Kchecking lit_color alone: task 2 of 3, 2 s");
+    expect_screen(screen, "", "not at once");
+    now += 0.2;
     progress_show();
-    screen_read(screen, text, sizeof text);
-    cr_expect_str_eq(text, "", "not twice in a second");
+    expect_screen(screen, "\r\033[Kchecking lit_color alone: task 2 of 3, 2 s", "after two seconds");
+    now += 0.5;
+    progress_show();
+    expect_screen(screen, "", "not twice in a second");
+    now += 0.5;
+    progress_show();
+    expect_screen(screen, "\r\033[Kchecking lit_color alone: task 2 of 3, 3 s", "in the next one");
 }
 
 Test(progress, it_is_rewritten_and_taken_away)
 {
-    char text[128];
     const int screen = terminal_open();
     progress_say("compiling");
-    show_until_seen(screen, text, sizeof text);
+    now += 3;
+    progress_show();
+    expect_screen(screen, "\r\033[Kcompiling, 3 s", "the first step");
     progress_say("running your program");
     progress_show();
-    screen_read(screen, text, sizeof text);
-    cr_expect_str_eq(text, "\r\033[K\r\033[Krunning your program, 0 s");
+    expect_screen(screen, "\r\033[K\r\033[Krunning your program, 0 s", "the next step");
     progress_hide();
-    screen_read(screen, text, sizeof text);
-    cr_expect_str_eq(text, "\r\033[K");
+    expect_screen(screen, "\r\033[K", "taken away");
     progress_hide();
-    screen_read(screen, text, sizeof text);
-    cr_expect_str_eq(text, "", "once");
+    expect_screen(screen, "", "once");
 }
 
-// Waiting for its two seconds shows nothing of it either.
 Test(progress, where_stderr_is_no_terminal_there_is_no_line)
 {
-    const struct timespec quiet = {.tv_sec = 2, .tv_nsec = 100 * 1000 * 1000};
     capture_begin(2);
     progress_say("compiling");
-    nanosleep(&quiet, NULL);
+    now += 3;
     progress_show();
     progress_hide();
     cr_expect_str_eq(capture_end(2), "");
