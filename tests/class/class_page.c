@@ -8,6 +8,7 @@
 #include "complain.h"
 #include "corrections.h"
 #include "html.h"
+#include "lateness.h"
 #include "output_file.h"
 #include "tally.h"
 
@@ -242,6 +243,10 @@ static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
     if (corrections_has(gradebook, row)) {
         fputs(" <a class=\"soft\" href=\"#corrections\">corrected</a>", page);
     }
+    const LateRow *late = lateness_of(gradebook, row);
+    if (late != NULL && lateness_is_late(late)) {
+        fputs(" <a class=\"soft\" href=\"#late\">late</a>", page);
+    }
     fprintf(page, "</td><td class=\"number\"><b>%d</b> / %d", row->score, gradebook->max_score);
     html_score_bar(page, row->score, gradebook->max_score);
     fputs("</td>", page);
@@ -302,6 +307,7 @@ static void page_write(FILE *page, const Gradebook *gradebook, const Failures *f
         not_graded_write(page, gradebook);
         class_look_alikes_write(page, look_alikes);
         class_corrections_write(page, gradebook);
+        lateness_class_write(page, gradebook);
         class_changes_write(page, gradebook);
     }
     class_failures_write(page, failures);
@@ -364,6 +370,7 @@ int gradebook_page_without_names(const Gradebook *gradebook, const char *path)
     }
     shown.n_rows = shown.n_graded = shown.n_nothing = 0;
     shown.has_no_names = 1;
+    shown.lateness = NULL;  // who was late is nobody else's business
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         if (row_that_counts(gradebook, row) != row) {

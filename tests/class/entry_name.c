@@ -150,6 +150,7 @@ EntryName entry_name_read_export(const char *entry, int is_folder, ExportSystem 
     name.system = found.system;
     name.file = is_folder ? 0 : (int)(found.file.text - entry);
     name.is_text = found.is_note;
+    name.is_late = found.is_late;
     return name;
 }
 

@@ -18,6 +18,7 @@ typedef struct EntryName {
     char time[24];                    // of the attempt, as in system_names.h, or ""
     ExportSystem system;              // that made the name
     int file;                         // where the student's own name of a file begins, or 0
+    int is_late;                      // the system marked the attempt as late
     int is_text;                      // typed into a form or written by the system: no file
 } EntryName;
 

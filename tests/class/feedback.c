@@ -8,6 +8,7 @@
 #include "corrections.h"
 #include "csv_cell.h"
 #include "folder.h"
+#include "lateness.h"
 #include "output_file.h"
 #include "participant_fit.h"
 #include "path.h"
@@ -35,6 +36,12 @@ int feedback_kind_find(const char *name, FeedbackKind *kind)
     return -1;
 }
 
+static int is_late(const Gradebook *gradebook, const Row *row)
+{
+    const LateRow *late = lateness_of(gradebook, row);
+    return late != NULL && lateness_is_late(late);
+}
+
 char *feedback_comment(const Gradebook *gradebook, const Row *row)
 {
     char *comment = NULL;
@@ -54,6 +61,10 @@ char *feedback_comment(const Gradebook *gradebook, const Row *row)
     if (corrections_has(gradebook, row)) {
         fputs(". Corrected by hand: ", text);
         corrections_write(text, gradebook, row, NULL);
+    }
+    if (is_late(gradebook, row)) {
+        fputs(". Late: ", text);
+        lateness_write(text, gradebook, row);
     }
     fclose(text);
     return comment;
@@ -168,22 +179,32 @@ static int all_hand(Giving *giving, const Worksheet *worksheet)
 
 // ---- Reports ------------------------------------------------------------------------------------
 
-// The section that a corrected report gets behind its head.
-static void corrections_section_write(FILE *report, const Gradebook *gradebook, const Row *row)
+// The section that a report gets behind its head where its points have changed since.
+static void changes_section_write(FILE *report, const Gradebook *gradebook, const Row *row)
 {
-    fputs("<section id=\"corrections\"><h2 class=\"section\">Corrected by hand</h2>\n<p>", report);
+    fprintf(report, "<section id=\"corrections\"><h2 class=\"section\">%s</h2>\n<p>",
+            corrections_has(gradebook, row) ? "Corrected by hand" : "Handed in late");
     if (row->score != row->graded_score) {
         fprintf(report, "%d of %d points instead of %d. ", row->score, gradebook->max_score,
                 row->graded_score);
     }
-    fputs("What follows is the grader's report.</p>\n<div class=\"card\"><table><thead><tr>"
-          "<th>Change</th><th>Comment</th><th>More time until</th></tr></thead><tbody>\n",
-          report);
-    corrections_rows_write(report, gradebook, row);
-    fputs("</tbody></table></div></section>\n", report);
+    if (is_late(gradebook, row)) {
+        fputs("This was ", report);
+        lateness_write(report, gradebook, row);
+        fputs(". ", report);
+    }
+    fputs("What follows is the grader's report.</p>\n", report);
+    if (corrections_has(gradebook, row)) {
+        fputs("<div class=\"card\"><table><thead><tr><th>Change</th><th>Comment</th>"
+              "<th>More time until</th></tr></thead><tbody>\n",
+              report);
+        corrections_rows_write(report, gradebook, row);
+        fputs("</tbody></table></div>\n", report);
+    }
+    fputs("</section>\n", report);
 }
 
-// A row's report with its corrections: the bytes and how many, owned by the caller. NULL after one
+// A row's report with what has changed its points: the bytes and how many, owned by the caller. NULL after one
 // message.
 static char *report_read(const Giving *giving, const Row *row, size_t *n_bytes)
 {
@@ -197,7 +218,9 @@ static char *report_read(const Giving *giving, const Row *row, size_t *n_bytes)
     // Names and messages are escaped in a report: the first such mark is the grader's own.
     static const char head_end[] = "</header>\n";
     const char *rest = strstr(report, head_end);
-    if (!corrections_has(giving->gradebook, row) || rest == NULL) {
+    const int is_changed =
+        corrections_has(giving->gradebook, row) || is_late(giving->gradebook, row);
+    if (!is_changed || rest == NULL) {
         return report;
     }
     rest += sizeof head_end - 1;
@@ -205,7 +228,7 @@ static char *report_read(const Giving *giving, const Row *row, size_t *n_bytes)
     FILE *stream = open_memstream(&corrected, n_bytes);
     if (stream != NULL) {
         fwrite(report, 1, (size_t)(rest - report), stream);
-        corrections_section_write(stream, giving->gradebook, row);
+        changes_section_write(stream, giving->gradebook, row);
         fputs(rest, stream);
         fclose(stream);
     }

@@ -13,6 +13,8 @@
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
 #     --who FILE.csv         whose an entry is, where the instructor decides: entry, student, counts
 #     --changes FILE.csv     the instructor's corrections: student, task, points, comment, until
+#     --due TEXT             the deadline: "2026-11-25 23:59 Europe/Berlin"
+#     --late TEXT            what late work costs: 10%/day,2days
 #     --against FILE.json    an older gradebook.json, to compare scores with
 #     --nothing 0|blank      what gradebooks have for who handed in nothing of this lab (blank)
 #     --names no             also a page for the lecture hall, without names
@@ -53,7 +55,7 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' against='' nothing='' names=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' due='' late='' against='' nothing='' names=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -69,6 +71,8 @@ while [ $# -gt 0 ]; do
     --moodle) moodle=$2 ;;
     --who) who=$2 ;;
     --changes) changes=$2 ;;
+    --due) due=$2 ;;
+    --late) late=$2 ;;
     --against) against=$2 ;;
     --nothing) nothing=$2 ;;
     --names) names=$2 ;;
@@ -245,6 +249,8 @@ set --
 [ -z "$moodle" ] || set -- "$@" --moodle "$moodle"
 [ -z "$who" ] || set -- "$@" --who "$who"
 [ -z "$changes" ] || set -- "$@" --changes "$changes"
+[ -z "$due" ] || set -- "$@" --due "$due"
+[ -z "$late" ] || set -- "$@" --late "$late"
 [ -z "$against" ] || set -- "$@" --against "$against"
 "$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
 

@@ -23,12 +23,12 @@ typedef struct Row {
     const Entrant *entrant;
     int number;  // in the place of the name, on the page without names; else 0
     RowStatus status;
-    char *reason;      // why it is not graded, or what was handed in instead; or NULL
-    int has_log;       // logs/SLUG.txt tells more
-    char *seed;        // of the hidden scenes; NULL when not graded
-    int score;         // with the instructor's corrections, as are the points
-    int graded_score;  // without
-    int points[MANIFEST_MAX_TASKS];
+    char *reason;                    // why it is not graded, or what was handed in instead; or NULL
+    int has_log;                     // logs/SLUG.txt tells more
+    char *seed;                      // of the hidden scenes; NULL when not graded
+    int score;                       // with corrections by hand, less what lateness costs
+    int graded_score;                // as the grader gave it
+    int points[MANIFEST_MAX_TASKS];  // with corrections
     int check_points[RESULT_MAX_CHECKS];  // without
     char passed[RESULT_MAX_CHECKS];       // check i of the gradebook passed
     char not_run[RESULT_MAX_CHECKS];      // or could not be run
@@ -64,6 +64,7 @@ typedef struct Gradebook {
     int nothing_is_zero;  // such a row is entered as 0; else its score stays blank
     int has_old_scores;   // there is something to compare with
     const struct Corrections *corrections;  // NULL: none were given (corrections.h)
+    const struct Lateness *lateness;        // NULL: no deadline was given (lateness.h)
     int has_no_names;                       // rows have numbers: made for the page without names
     Roster roster;
 } Gradebook;

@@ -9,6 +9,8 @@
 #include "corrections.h"
 #include "csv_cell.h"
 #include "feedback.h"
+#include "lateness.h"
+#include "moment.h"
 #include "output_file.h"
 #include "sheet_number.h"
 #include "worksheet.h"
@@ -53,16 +55,36 @@ static void titles_write(FILE *file, const Gradebook *gradebook, const char *las
     }
     cell_write(file, "first fault");
     cell_write(file, "report");
-    if (gradebook->corrections != NULL) {
+    if (gradebook->corrections != NULL || gradebook->lateness != NULL) {
         cell_write(file, "score before");
+    }
+    if (gradebook->corrections != NULL) {
         cell_write(file, "corrections");
         cell_write(file, "more time until");
+    }
+    if (gradebook->lateness != NULL) {
+        cell_write(file, "handed in");
+        cell_write(file, "late");
+        cell_write(file, "points off");
     }
     row_end(file, last);
 }
 
-// What the grader gave, where it was corrected, and how: of a row, or where that is NULL of a
-// participant. Nothing where no corrections were given.
+// What the grader gave, where the score is another one now.
+static void score_before_write(FILE *file, const Gradebook *gradebook, const Row *row)
+{
+    if (gradebook->corrections == NULL && gradebook->lateness == NULL) {
+        return;
+    }
+    if (row != NULL && row->score != row->graded_score) {
+        fprintf(file, ",%d", row->graded_score);
+    } else {
+        empty_write(file, 1);
+    }
+}
+
+// How it was corrected: of a row, or where that is NULL of a participant. Nothing where no
+// corrections were given.
 static void corrections_cells_write(FILE *file, const Gradebook *gradebook, const Row *row,
                                     const Participant *participant)
 {
@@ -76,14 +98,39 @@ static void corrections_cells_write(FILE *file, const Gradebook *gradebook, cons
         corrections_write(stream, gradebook, row, participant);
         fclose(stream);
     }
-    if (row != NULL && row->score != row->graded_score) {
-        fprintf(file, ",%d", row->graded_score);
-    } else {
-        empty_write(file, 1);
-    }
     cell_write(file, text != NULL ? text : "");
     cell_write(file, corrections_until(gradebook, row, participant));
     free(text);
+}
+
+// When it was handed in, how late, and what that costs. Nothing where no deadline was given.
+static void late_cells_write(FILE *file, const Gradebook *gradebook, const Row *row)
+{
+    const LateRow *late = row != NULL ? lateness_of(gradebook, row) : NULL;
+    char handed_in[MOMENT_BYTES] = "", by[LATENESS_BYTES] = "";
+    if (gradebook->lateness == NULL) {
+        return;
+    }
+    if (late == NULL || (!late->has_time && !late->is_marked)) {
+        empty_write(file, 3);
+        return;
+    }
+    if (late->has_time) {
+        moment_stamp(late->handed_in, handed_in);
+        lateness_duration(late->seconds, by);
+    }
+    cell_write(file, handed_in);
+    cell_write(file, late->is_marked ? "yes" : late->seconds > 0 ? by : "");
+    fprintf(file, ",%d", late->off);
+}
+
+// Behind our columns what has changed their points.
+static void changes_cells_write(FILE *file, const Gradebook *gradebook, const Row *row,
+                                const Participant *participant)
+{
+    score_before_write(file, gradebook, row);
+    corrections_cells_write(file, gradebook, row, participant);
+    late_cells_write(file, gradebook, row);
 }
 
 // What stands in the place of a participant's row where there is none: why.
@@ -93,7 +140,7 @@ static void no_row_write(FILE *file, const Gradebook *gradebook, const Participa
     empty_write(file, 2);
     cell_write(file, why);
     empty_write(file, gradebook->n_tasks + 4);
-    corrections_cells_write(file, gradebook, NULL, participant);
+    changes_cells_write(file, gradebook, NULL, participant);
     row_end(file, "");
 }
 
@@ -126,7 +173,7 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, co
         snprintf(report, sizeof report, "students/%s/report.html", row->entrant->slug);
         cell_write(file, report);
     }
-    corrections_cells_write(file, gradebook, row, NULL);
+    changes_cells_write(file, gradebook, row, NULL);
     row_end(file, last);
 }
 

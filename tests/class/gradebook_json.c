@@ -7,6 +7,8 @@
 
 #include "complain.h"
 #include "corrections.h"
+#include "lateness.h"
+#include "moment.h"
 #include "output_file.h"
 #include "participant_fit.h"
 
@@ -60,6 +62,19 @@ static json_t *correction_json(const Correction *correction)
     }
     if (correction->has_points) {
         json_object_set_new(json, "applied", json_boolean(correction->is_applied));
+    }
+    return json;
+}
+
+// When it was handed in, where that is known, and what it cost.
+static json_t *late_json(const LateRow *late)
+{
+    json_t *json = json_pack("{s:b, s:i, s:i}", "is_late", lateness_is_late(late), "seconds",
+                             (int)late->seconds, "points_off", late->off);
+    if (late->has_time) {
+        char handed_in[MOMENT_BYTES];
+        moment_stamp(late->handed_in, handed_in);
+        json_object_set_new(json, "handed_in", json_string(handed_in));
     }
     return json;
 }
@@ -161,6 +176,9 @@ static json_t *row_json(const Gradebook *gradebook, const Row *row, const Worksh
     }
     if (corrections_has(gradebook, row)) {
         json_object_set_new(json, "corrections", corrections_json(gradebook, row));
+    }
+    if (lateness_of(gradebook, row) != NULL) {
+        json_object_set_new(json, "late", late_json(lateness_of(gradebook, row)));
     }
     if (row->status == ROW_NOT_GRADED) {
         return json;

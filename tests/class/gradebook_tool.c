@@ -7,7 +7,7 @@
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
 //     gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER
 //
-//     LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv
+//     LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv, --due DUE, --late LATE
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -26,6 +26,7 @@
 #include "export_archive.h"
 #include "feedback.h"
 #include "gradebook.h"
+#include "lateness.h"
 #include "look_alikes.h"
 #include "number.h"
 #include "option_table.h"
@@ -50,7 +51,8 @@ static int usage(void)
           "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] "
           "[--names no] FOLDER\n"
           "       gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER\n"
-          "LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv\n",
+          "LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv, --due DUE, "
+          "--late LATE\n",
           stderr);
     return EXIT_FAULT;
 }
@@ -168,6 +170,7 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
         printf("%d corrections of points not applied, as nothing was graded there\n",
                corrections_count_waiting(gradebook));
     }
+    lateness_tell(gradebook);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
     if (n_open > 0) {
         printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
@@ -182,6 +185,7 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
 
 typedef struct ListPaths {
     const char *worksheet, *who, *changes, *against;  // each NULL where it was not given
+    const char *due, *late;                           // no paths (lateness.h); or NULL
 } ListPaths;
 
 typedef struct Class {
@@ -189,6 +193,7 @@ typedef struct Class {
     Worksheet worksheet;
     const Worksheet *list;  // the worksheet, or NULL
     Corrections corrections;
+    Lateness lateness;
 } Class;
 
 // What is graded anew has no points yet that a correction could lead beyond its bounds.
@@ -227,16 +232,22 @@ static int class_load(const char *folder, const char *lab, const ListPaths *path
     if (paths->changes != NULL && lab == NULL) {
         complain("gradebook: %s: not applied, as nothing is graded", paths->changes);
     }
-    if (paths->changes == NULL || lab == NULL) {
+    if (paths->changes != NULL && lab != NULL &&
+        (corrections_load(paths->changes, lab, gradebook, class->list, &class->corrections) != 0 ||
+         corrections_apply(&class->corrections, gradebook) != 0)) {
+        return -1;
+    }
+    if (paths->due == NULL && paths->late == NULL) {
         return 0;
     }
-    return corrections_load(paths->changes, lab, gradebook, class->list, &class->corrections) != 0
+    return lateness_read(paths->due, paths->late, &class->lateness) != 0
                ? -1
-               : corrections_apply(&class->corrections, gradebook);
+               : lateness_apply(&class->lateness, gradebook, class->list);
 }
 
 static void class_free(Class *class)
 {
+    lateness_free(&class->lateness);
     corrections_free(&class->corrections);
     worksheet_free(&class->worksheet);
     gradebook_free(&class->gradebook);
@@ -246,7 +257,8 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
 {
     Class class = {0};
     int result = paths->against != NULL ? gradebook_check_old(paths->against, lab) : 0;
-    if (result == 0 && (paths->worksheet != NULL || paths->who != NULL || paths->changes != NULL)) {
+    if (result == 0 && (paths->worksheet != NULL || paths->who != NULL || paths->changes != NULL ||
+                        paths->due != NULL || paths->late != NULL)) {
         result = class_load(folder, lab, paths, &class);
     }
     class_free(&class);
@@ -326,13 +338,15 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 9 };
+    enum { SEED = 1, N_ROWS = 11 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.worksheet)},
         {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
+        {.name = "due", .argument = "DUE", .place = PLACE(paths.due)},
+        {.name = "late", .argument = "LATE", .place = PLACE(paths.late)},
         {.name = "against", .argument = "OLD", .place = PLACE(paths.against)},
         {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},
         {.name = "names", .argument = "no", .place = PLACE(names)},

@@ -5,6 +5,7 @@
 //       - :name: Ada Lovelace
 //         :sid: '4711'
 //         :email: ada@example.org
+//       :created_at: 2026-11-25 22:05:00.711434000 Z
 //       :score: 3.0
 //
 // YAML can do far more than that. What does not look like this is passed over: further down stands
@@ -81,8 +82,8 @@ static int entry_begin(GradescopeNames *names, const char *line)
     }
     names->entries = entries;
     GradescopeEntry *entry = &entries[names->n_entries++];
-    *entry = (GradescopeEntry){.entry = strndup(line, strcspn(line, ":"))};
-    return entry->entry != NULL ? 0 : -1;
+    *entry = (GradescopeEntry){.entry = strndup(line, strcspn(line, ":")), .time = strdup("")};
+    return entry->entry != NULL && entry->time != NULL ? 0 : -1;
 }
 
 static int member_begin(GradescopeEntry *entry)
@@ -150,8 +151,10 @@ static int line_read(GradescopeNames *names, const char *line, int *in_list)
     GradescopeEntry *entry = &names->entries[names->n_entries - 1];
     const int is_item = strncmp(text, "- ", 2) == 0;
     if (indent <= KEY_INDENT && !is_item) {
+        static const char time_key[] = ":created_at: ";
         *in_list = strcmp(text, ":submitters:") == 0 && entry->n_members == 0;
-        return 0;
+        const int is_time = strncmp(text, time_key, strlen(time_key)) == 0;
+        return is_time ? value_set(&entry->time, text + strlen(time_key)) : 0;
     }
     if (!*in_list || (is_item && member_begin(entry) != 0)) {
         return *in_list ? -1 : 0;
@@ -214,7 +217,7 @@ int gradescope_names_load(const char *folder, GradescopeNames *names)
 void gradescope_names_free(GradescopeNames *names)
 {
     for (int i = 0; i < names->n_entries; i++) {
-        free(names->entries[i].entry);
+        free(names->entries[i].entry), free(names->entries[i].time);
         members_free(names->entries[i].members, names->entries[i].n_members);
     }
     free(names->entries);

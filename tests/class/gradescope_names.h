@@ -17,6 +17,7 @@ typedef struct Member {
 
 typedef struct GradescopeEntry {
     char *entry;  // "submission_123456"
+    char *time;   // when it was handed in, "2026-11-25 22:05:00.5 Z", or ""
     Member *members;
     int n_members;
 } GradescopeEntry;

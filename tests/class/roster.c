@@ -5,6 +5,7 @@
 #include "roster.h"
 
 #include "complain.h"
+#include "entry_time.h"
 #include "export.h"
 #include "folder.h"
 #include "loose_files.h"
@@ -94,6 +95,8 @@ static int entrant_add(Roster *roster, const Export *export, int begin, int end,
     entry_name_show(found->file, strlen(found->file), entry);
     Entrant *entrant = &roster->entrants[roster->n_entrants];
     *entrant = (Entrant){.name = strdup(found->name.name),
+                         .time = entry_time(export, found),
+                         .is_late = export_is_exact(export, found) && found->name.is_late,
                          .number = strdup(found->name.number),
                          .entry = strdup(entry),
                          .slug = slug_new(roster, found),
@@ -102,7 +105,8 @@ static int entrant_add(Roster *roster, const Export *export, int begin, int end,
                          .is_link = found->is_link};
     roster->n_entrants++;
     if (entrant->name == NULL || entrant->number == NULL || entrant->entry == NULL ||
-        entrant->slug == NULL || members_make(export, found, entrant) != 0) {
+        entrant->time == NULL || entrant->slug == NULL ||
+        members_make(export, found, entrant) != 0) {
         return fault(export->path, "out of memory");
     }
     return found->is_link ? 0 : attempt_link(export, begin, end, places, entrant->slug);
@@ -240,7 +244,7 @@ void roster_free(Roster *roster)
     for (int i = 0; i < roster->n_entrants; i++) {
         Entrant *entrant = &roster->entrants[i];
         free(entrant->name), free(entrant->label), free(entrant->number), free(entrant->entry),
-            free(entrant->slug);
+            free(entrant->slug), free(entrant->time);
         members_free(entrant->members, entrant->n_members);
     }
     for (int i = 0; i < roster->n_passed_over; i++) {

@@ -13,6 +13,8 @@ typedef struct Entrant {
     char *number;     // the system's number of the student, team or submission, or ""
     char *entry;      // the entry's name, fit to be shown
     char *slug;       // the name of its files; unique
+    char *time;       // when it was handed in, as the system wrote it (moment.h), or ""
+    int is_late;      // the system marked it so
     int attempt;      // 1, 2 ... of entries that a system's export gives to one student
     int is_exact;     // name and number are the host's own: others like them are somebody else's
     int is_link;      // neither a folder nor a file: cannot be graded

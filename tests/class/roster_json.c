@@ -48,9 +48,10 @@ int roster_save(const Roster *roster, const char *path)
     for (int i = 0; !failed && i < roster->n_entrants; i++) {
         const Entrant *entrant = &roster->entrants[i];
         json_t *entry =
-            json_pack("{s:s, s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}", "id", entrant->slug, "name",
-                      entrant->name, "label", entrant->label, "number", entrant->number, "entry",
-                      entrant->entry, "attempt", entrant->attempt, "exact", entrant->is_exact,
+            json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:b, s:b, s:o}", "id",
+                      entrant->slug, "name", entrant->name, "label", entrant->label, "number",
+                      entrant->number, "entry", entrant->entry, "time", entrant->time, "late",
+                      entrant->is_late, "attempt", entrant->attempt, "exact", entrant->is_exact,
                       "link", entrant->is_link, "members", members_json(entrant));
         failed = json_array_append_new(list, entry) != 0;
     }
@@ -84,18 +85,20 @@ static int passed_over_read(json_t *list, Roster *roster)
 
 static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
 {
-    const char *slug, *name, *label, *number, *entry;
+    const char *slug, *name, *label, *number, *entry, *time;
     json_t *members;
-    if (json_unpack_ex(json, error, JSON_STRICT, "{s:s, s:s, s:s, s:s, s:s, s:i, s:b, s:b, s:o}",
-                       "id", &slug, "name", &name, "label", &label, "number", &number, "entry",
-                       &entry, "attempt", &entrant->attempt, "exact", &entrant->is_exact, "link",
-                       &entrant->is_link, "members", &members) != 0) {
+    if (json_unpack_ex(json, error, JSON_STRICT,
+                       "{s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:b, s:b, s:o}", "id", &slug,
+                       "name", &name, "label", &label, "number", &number, "entry", &entry, "time",
+                       &time, "late", &entrant->is_late, "attempt", &entrant->attempt, "exact",
+                       &entrant->is_exact, "link", &entrant->is_link, "members", &members) != 0) {
         return -1;
     }
     entrant->slug = strdup(slug), entrant->name = strdup(name), entrant->label = strdup(label);
     entrant->number = strdup(number), entrant->entry = strdup(entry);
+    entrant->time = strdup(time);
     return entrant->slug == NULL || entrant->name == NULL || entrant->label == NULL ||
-                   entrant->number == NULL || entrant->entry == NULL
+                   entrant->number == NULL || entrant->entry == NULL || entrant->time == NULL
                ? -1
                : members_read(members, entrant, error);
 }

@@ -48,6 +48,7 @@ static SystemName read_canvas(const char *entry)
     }
     name.system = SYSTEM_CANVAS;
     name.name = parts[1], name.number = parts[3], name.login = parts[3], name.file = parts[5];
+    name.is_late = parts[2].length > 0;
     return name;
 }
 

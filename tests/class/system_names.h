@@ -36,6 +36,7 @@ typedef struct SystemName {
     NamePart login;       // what a list of participants knows the student by, besides the name
     char time[24];        // of the attempt, in an order that strcmp() knows; "" where there is none
     NamePart file;        // the student's own name of the file; empty: of a folder
+    int is_late;          // marked as late
     int is_note;          // written by the system about the attempt, not handed in as a file
 } SystemName;
 

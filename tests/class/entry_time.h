@@ -1,0 +1,12 @@
+// When an attempt was handed in, by what the course system has written about it.
+#ifndef CLASS_ENTRY_TIME_H
+#define CLASS_ENTRY_TIME_H
+
+#include "export.h"
+
+// The time of an attempt as a text for moment_read(), "" where the export says none: Blackboard and
+// Brightspace have it in the names of files, Gradescope in its list, ILIAS before each file's name
+// in the student's folder, where the last one counts. Owned, free() it; NULL when memory runs out.
+char *entry_time(const Export *export, const Found *found);
+
+#endif

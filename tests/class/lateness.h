@@ -1,0 +1,69 @@
+// Late work: who handed in after the deadline, and the points that this costs, `DUE=` and `LATE=`.
+//
+// When something was handed in is known from a column of the list of participants, or from what the
+// course system wrote (Entrant.time). Tasks keep their points: what lateness costs is taken from
+// the sum, after the instructor's corrections. Read next: lateness.c, moment.h.
+#ifndef CLASS_LATENESS_H
+#define CLASS_LATENESS_H
+
+#include "worksheet.h"
+
+#include <time.h>
+
+// What is known of a row.
+typedef struct LateRow {
+    int has_time;
+    time_t handed_in;
+    int is_marked;  // no time, but the system's mark that it was late
+    time_t due;     // the deadline, or the end of the last day of the student's extension
+    long seconds;   // after that; 0: in time, or not known
+    int off;        // the points taken off
+} LateRow;
+
+// Room for a duration.
+enum { LATENESS_BYTES = 40 };
+
+typedef struct Lateness {
+    time_t due;
+    int takes_points;  // else lateness is only shown
+    int amount;        // points, or percent of the lab's points
+    int is_percent;
+    long unit;      // for each so many seconds begun; 0: once
+    long limit;     // later than this earns nothing; 0: no limit
+    LateRow *rows;  // [n_rows] of the gradebook; NULL before lateness_apply()
+} Lateness;
+
+// Read what make was given.
+//   due    "2026-11-25 23:59", with a zone behind it if it is not this machine's:
+//          "2026-11-25 23:59 Europe/Berlin". All of that minute is in time
+//   late   "10%/day,2days": ten percent of the lab's points for each day begun, nothing after two
+//          days; "5/hour", "20%"; or NULL: no points are taken off
+// Returns 0, or -1 after one message on stderr. Sets the zone of moment.h.
+int lateness_read(const char *due, const char *late, Lateness *lateness);
+void lateness_free(Lateness *lateness);
+
+// Find out who was late, take off the points, and make the lateness the gradebook's.
+//   worksheet   the list of participants, or NULL
+// Returns 0, or -1 after one message, where a time of the list cannot be read.
+int lateness_apply(Lateness *lateness, Gradebook *gradebook, const Worksheet *worksheet);
+
+// A row's; NULL where no deadline was given.
+const LateRow *lateness_of(const Gradebook *gradebook, const Row *row);
+
+// Was it handed in late?
+int lateness_is_late(const LateRow *late);
+
+// "handed in 2026-11-26 10:05 CET, 10 h 5 min late: 10 points off", not escaped; nothing where the
+// row is not late.
+void lateness_write(FILE *file, const Gradebook *gradebook, const Row *row);
+
+// How late: "10 h 5 min", "2 days 3 h".
+void lateness_duration(long seconds, char text[LATENESS_BYTES]);
+
+// For the terminal: the deadline with its zone, how many were late, and of how many nobody knows.
+void lateness_tell(const Gradebook *gradebook);
+
+// The section of the class page: all who were late, and those of whom no time is known.
+void lateness_class_write(FILE *page, const Gradebook *gradebook);
+
+#endif

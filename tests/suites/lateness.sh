@@ -1,0 +1,219 @@
+#!/bin/sh
+# Late work (DUE=, LATE=): the time of each submission by what its system writes, and what lateness costs.
+#
+#     sh tests/suites/lateness.sh      from the top folder, after `make tests`
+set -u
+. tests/tap.sh
+. tests/classes.sh
+
+check "right results" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
+    --submission solutions/$lab --output "$scratch/right"
+stand_in "$scratch/right"
+
+out=$scratch/out
+due="2026-11-25 23:59 Europe/Berlin"
+late=10%/day,2days
+# graded OPTION...: the class anew.
+graded() {
+    rm -rf "$out"
+    run "$out" --due "$due" --late "$late" "$@"
+}
+# again OPTION...: with the results that are there.
+again() { run "$out" "$@"; }
+# of NAME FILTER: of a student in gradebook.json.
+of() {
+    jq -r --arg name "$1" ".students[] | select(.name == \$name) | $2" "$out/gradebook.json" | paste -s -d ' '
+}
+# is NAME SCORE SECONDS: what became of a student.
+# shellcheck disable=SC2317 # called by check
+is() {
+    found=$(of "$1" '.score, .late.seconds')
+    [ "$found" = "$2 $3" ] || { echo "$1: found $found, expected $2 $3"; return 1; }
+}
+# entries NAME...: a class of such folders.
+entries() {
+    rm -rf "$class"
+    for entry in "$@"; do
+        mkdir -p "$class/$entry" && : >"$class/$entry/gradient.cl"
+    done
+}
+
+# ---- Moodle's worksheet -------------------------------------------------------------------------------
+
+entries "Ada Lovelace_21_assignsubmission_file_" "Bob Ross_22_assignsubmission_file_" \
+    "Carol Shaw_23_assignsubmission_file_" "Dora Day_24_assignsubmission_file_" "Eve Eliot_25_assignsubmission_file_" \
+    "Finn Fox_26_assignsubmission_file_"
+worksheet() {
+    cat >"$scratch/list.csv" <<END
+Identifier,"Full name","Email address",Grade,"Last modified (submission)","Feedback comments"
+"Participant 21","Ada Lovelace",ada@example.org,,"Wednesday, 25 November 2026, 11:59 PM",
+"Participant 22","Bob Ross",bob@example.org,,"Thursday, 26 November 2026, 12:00 AM",
+"Participant 23","Carol Shaw",carol@example.org,,"Friday, 27 November 2026, 11:59 PM",
+"Participant 24","Dora Day",dora@example.org,,"Saturday, 28 November 2026, 12:00 AM",
+"Participant 25","Eve Eliot",eve@example.org,,"Tuesday, 24 November 2026, 8:15 AM",
+"Participant 26","Finn Fox",finn@example.org,,"$1",
+"Participant 27","Guy Grey",guy@example.org,,-,
+END
+}
+worksheet -
+list="--moodle $scratch/list.csv"
+# shellcheck disable=SC2086 # words
+check "a class with Moodle's times" exits 0 graded $list
+check "the minute of the deadline is in time" is "Ada Lovelace" 100 0
+check "a minute later is a day begun" is "Bob Ross" 90 60
+check "two days to the minute are two" is "Carol Shaw" 80 172800
+check "a minute more earns nothing" is "Dora Day" 0 172860
+check "before it is not late" is "Eve Eliot" 100 0
+check "who has no time is not late" test "$(of "Finn Fox" '.score, .late.is_late, .late.handed_in')" = "100 false null"
+check "the terminal says the zone, and what it cost" said "Due 2026-11-25 23:59 CET: 3 late, 130 points off"
+check "and of how many nobody knows" said "of 1 submissions no time is known"
+check "tasks keep their points" test "$(of "Dora Day" '.points | add')" = 100
+check "points before and after" test "$(of "Bob Ross" '.score_before, .late.points_off')" = "100 10"
+check "Moodle's column has those after" row "$out" '"Participant 22","Bob Ross","bob@example.org","90.00",'
+check "and columns when, how late and what for" grep -q 'Participant 22.*,100,"2026-11-26 00:00:00 +0100","1 min",10,""$' \
+    "$out/gradebook.csv"
+check "the comment says it" grep -qF 'Late: handed in 2026-11-26 00:00 CET, 1 min late: 10 points off' "$out/gradebook.csv"
+check "the page has the three" test \
+    "$(grep -c '<td>2026-11-2[678] [0-9:]* CET, .* late</td>' "$out/class.html")" -eq 3
+check "and the one of whom nobody knows" grep -q 'Nobody knows when' "$out/class.html"
+
+# ---- More time, and corrections -----------------------------------------------------------------------
+
+cat >"$scratch/changes.csv" <<'END'
+student,task,points,comment,until
+24,,,ill,2026-11-27
+22,gradient,-8,"half of it",
+23,gradient,0,,2026-11-20
+END
+# shellcheck disable=SC2086 # words
+check "more time for one" exits 0 again $list --due "$due" --late "$late" --changes "$scratch/changes.csv"
+check "a minute after the new day" is "Dora Day" 90 60
+check "its page says which" grep -q 'CET, 1 min late <span class="soft">(due 2026-11-27 23:59 CET)' "$out/class.html"
+check "first what is corrected, then what lateness costs" is "Bob Ross" 82 60
+check "before both stands what the grader gave" test "$(of "Bob Ross" .score_before)" = 100
+check "less time is none" is "Carol Shaw" 40 172800
+# shellcheck disable=SC2086 # words
+check "the reports" exits 0 "$build/tools/gradebook" feedback $list --due "$due" --late "$late" folders "$out"
+check "say it to whom it concerns" grep -rqF \
+    'This was handed in 2026-11-26 00:00 CET, 1 min late: 10 points off' "$out/feedback"
+check "and to nobody else" test "$(grep -rlF 'points off' "$out/feedback" | wc -l)" -eq 3
+# shellcheck disable=SC2086 # words
+check "without a deadline all is as it was" exits 0 again $list
+check "nobody is late" test "$(of "Dora Day" '.score, .late')" = "100 null"
+# shellcheck disable=SC2086 # words
+check "a deadline alone takes no points" exits 0 again $list --due "$due"
+check "and shows who was late" test "$(of "Bob Ross" '.score, .late.is_late')" = "100 true"
+# shellcheck disable=SC2086 # words
+check "in the hall" exits 0 again $list --due "$due" --late "$late" --names no
+check "nobody is told who was late" sh -c "! grep -q 'href=\"#late\"' '$out/class-no-names.html'"
+
+# ---- What it costs ------------------------------------------------------------------------------------
+
+# costs LATE POINTS: what Bob, a minute late, and Carol, two days late, have then.
+# shellcheck disable=SC2317 # called by check
+costs() {
+    # shellcheck disable=SC2086 # words
+    again $list --due "$due" --late "$1" || return
+    found="$(of "Bob Ross" .score) $(of "Carol Shaw" .score)"
+    [ "$found" = "$2" ] || { echo "found $found"; return 1; }
+}
+check "points for each hour" costs 2/hour "98 4"
+check "once" costs 20% "80 80"
+check "once, up to a day" costs "25,1day" "75 0"
+check "nothing" costs 0% "100 100"
+check "never less than nothing" costs 60/day "40 0"
+check "minutes" costs "1%/minute,30minutes" "99 0"
+
+# ---- Other systems ------------------------------------------------------------------------------------
+
+rm -rf "$class"
+mkdir -p "$class"
+touch "$class/lovelaceada_40012_880036_gradient.cl" "$class/rossbob_LATE_40013_880037_gradient.cl" \
+    "$class/shawcarol_40014_880038_gradient.cl"
+check "Canvas marks who was late" exits 0 graded
+check "that counts as one" test "$(of rossbob '.score, .late.is_late')" = "90 true"
+check "the others are in time, as far as anybody knows" test "$(of lovelaceada '.score, .late.is_late')" = "100 false"
+check "and it is said that the time is not known" grep -q 'late, as the course system says' "$out/class.html"
+
+rm "$class"/*
+for one in ada:2026-11-25-23-59-59 bob:2026-11-26-00-00-01 cy:2026-11-28-10-00-00; do
+    touch "$class/Lab 0_${one%%:*}_attempt_${one#*:}_gradient.cl" "$class/Lab 0_${one%%:*}_attempt_${one#*:}.txt"
+done
+check "Blackboard's names have times" exits 0 graded
+check "in time" is ada 100 0
+check "late" is bob 90 61
+check "too late" is cy 0 208860
+
+entries "40012-880036 - Ada Lovelace - Nov 25, 2026 1159 PM" "40013-880037 - Bob Ross - Nov 26, 2026 1205 AM" \
+    "40014-880038 - Carol Shaw - Nov 24, 2026 905 AM"
+check "Brightspace's, too" exits 0 graded
+check "at noon and at midnight" is "Bob Ross" 90 360
+check "one in time" is "Ada Lovelace" 100 0
+
+entries Lovelace_Ada_ada_1234 Ross_Bob_bob_1235 Shaw_Carol_carol_1236
+rm "$class"/*/gradient.cl
+touch "$class/Lovelace_Ada_ada_1234/20261125235959_17_gradient.cl" \
+    "$class/Ross_Bob_bob_1235/20261125100000_18_gradient.cl" \
+    "$class/Ross_Bob_bob_1235/20261126080000_19_arguments.c" \
+    "$class/Shaw_Carol_carol_1236/20261125100000_20_20291126080000_19_gradient.cl"
+check "ILIAS writes them before files" exits 0 graded
+check "the last one counts" is Ross_Bob 90 28860
+check "not what a student calls a file" is Shaw_Carol 100 0
+
+entries submission_1 submission_2 submission_3
+cat >"$class/submission_metadata.yml" <<'END'
+submission_1:
+  :submitters:
+  - :name: Ada Lovelace
+    :email: ada@example.org
+  :created_at: 2026-11-25 22:59:30.711434000 Z
+  :history:
+  - :id: 7
+    :created_at: 2026-11-29 22:59:30.711434000 Z
+submission_2:
+  :submitters:
+  - :name: Bob Ross
+  :created_at: 2026-11-25 15:05:00 -0800
+submission_3:
+  :submitters:
+  - :name: Carol Shaw
+  :created_at: soon
+END
+check "Gradescope's list has a zone of its own" exits 0 graded
+check "in time there" is "Ada Lovelace" 100 0
+check "late there" is "Bob Ross" 90 360
+check "no time there" test "$(of "Carol Shaw" '.score, .late.handed_in')" = "100 null"
+
+entries ada bob
+printf 'Full name,handed in\nada,2026-11-26T01:00+01:00\nbob,25.11.2026 23:00\n' >"$scratch/own.csv"
+check "a column of one's own" exits 0 graded --moodle "$scratch/own.csv"
+check "says who is late" is ada 90 3660
+check "and who is not" is bob 100 0
+
+# ---- Refused before anything is graded ----------------------------------------------------------------
+
+# refused WORDS OPTION...
+# shellcheck disable=SC2317 # called by check
+refused() {
+    words=$1
+    shift
+    rm -rf "$out"
+    exits 2 run "$out" "$@" && said "$words" && test ! -e "$out/joblog" && test ! -e "$out/gradebook.csv"
+}
+for text in "2026-11-25" "tomorrow 10:00" "25/11/2026 23:59" "2026-02-30 10:00" ""; do
+    [ -z "$text" ] || check "the deadline $text" refused "DUE: found \"$text\"" --due "$text"
+done
+check "a zone that there is not" refused 'DUE: found the zone "Europe/Bonn"' --due "2026-11-25 23:59 Europe/Bonn"
+check "two zones" refused 'DUE: found the zone "UTC UTC"' --due "2026-11-25 23:59 UTC UTC"
+for text in 10%/year ten 10%/day,2 10%/day,2days,1 -5/day 101% 10%/day,0days; do
+    check "LATE=$text" refused "LATE: found \"$text\", expected points or percent" --due "$due" --late "$text"
+done
+check "LATE without DUE" refused "LATE: found no deadline beside it" --late 10%
+entries "Finn Fox_26_assignsubmission_file_"
+worksheet "mercredi 25 novembre 2026, 23:05"
+# shellcheck disable=SC2086 # words
+check "a time in another language" refused \
+    'line 7, "Last modified (submission)": found "mercredi 25 novembre 2026, 23:05", expected a time such as' \
+    $list --due "$due"
+
+finish
