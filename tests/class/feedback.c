@@ -204,8 +204,8 @@ static void changes_section_write(FILE *report, const Gradebook *gradebook, cons
     fputs("</section>\n", report);
 }
 
-// A row's report with what has changed its points: the bytes and how many, owned by the caller. NULL after one
-// message.
+// A row's report with what has changed its points: the bytes and how many, owned by the caller.
+// NULL after one message.
 static char *report_read(const Giving *giving, const Row *row, size_t *n_bytes)
 {
     char path[PATH_MAX];

@@ -210,7 +210,7 @@ fi
 latest=
 [ "$only" != latest ] || latest=--latest
 # shellcheck disable=SC2086 # an option or none
-"$CLASS_BUILD/tools/gradebook" roster $latest "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
+"$CLASS_BUILD/tools/gradebook" roster $latest ${due:+--commits} "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
     >"$CLASS_FOLDER/names" || exit 2
 
 # Everything that decides on a score besides the submission.

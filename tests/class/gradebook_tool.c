@@ -1,7 +1,7 @@
 // gradebook: from a folder of submissions to a roster, and from graded submissions to a gradebook.
 //
 //     gradebook unpack BUILD ARCHIVE FOLDER
-//     gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER
+//     gradebook roster [--latest] [--commits] LAB-NUMBER SUBMISSIONS FOLDER
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
@@ -11,7 +11,8 @@
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
-// FOLDER/submissions/SLUG to each entry, and prints the slug, a tab and the name of each; `keys`
+// FOLDER/submissions/SLUG to each entry, with `--commits` after it has asked Git for the times of
+// commits, and prints the slug, a tab and the name of each; `keys`
 // gives each its seed (class_keys.h); `check` reads what `write` will need, before all gradings;
 // `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, with `--names no`
 // also class-no-names.html, and says how the class did. Exit status: 0; 1 when somebody's work
@@ -20,6 +21,7 @@
 // the reports for those whose they are (feedback.h).
 #include "class_keys.h"
 #include "clean_text.h"
+#include "commits.h"
 #include "complain.h"
 #include "corrections.h"
 #include "decisions.h"
@@ -45,7 +47,7 @@ enum { EXIT_ALL_GRADED = 0, EXIT_SOME_LOST = 1, EXIT_FAULT = 2 };
 static int usage(void)
 {
     fputs("usage: gradebook unpack BUILD ARCHIVE FOLDER\n"
-          "       gradebook roster [--latest] LAB-NUMBER SUBMISSIONS FOLDER\n"
+          "       gradebook roster [--latest] [--commits] LAB-NUMBER SUBMISSIONS FOLDER\n"
           "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
           "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
           "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] "
@@ -67,12 +69,16 @@ static int archive_unpack_and_print(const char *build, const char *archive, cons
     return EXIT_ALL_GRADED;
 }
 
-static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest)
+static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest,
+                       int has_commits)
 {
     char path[PATH_MAX];
     path_make(path, "%s/roster.json", folder);
     Roster roster;
     int result = roster_read(submissions, lab_number, only_latest, folder, &roster);
+    if (result == 0 && has_commits) {
+        result = commits_take(folder, &roster);
+    }
     if (result == 0) {
         result = roster_save(&roster, path);
     }
@@ -327,7 +333,7 @@ static int give_back(const char *kind_name, const char *folder, const ListPaths 
 }
 
 typedef struct GradebookOptions {
-    int only_latest;
+    int only_latest, has_commits;
     uint64_t seed;
     ListPaths paths;
     const char *nothing, *names;
@@ -338,10 +344,11 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 11 };
+    enum { SEED = 1, N_ROWS = 12 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
+        {.name = "commits", .kind = OPTION_FLAG, .place = PLACE(has_commits)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.worksheet)},
         {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
@@ -366,7 +373,7 @@ int main(int argc, char **argv)
     }
     if (argc == 4 && strcmp(argv[0], "roster") == 0 &&
         number_read_unsigned(argv[1], 0, 99, &lab) == 0) {
-        return roster_make((int)lab, argv[2], argv[3], options.only_latest);
+        return roster_make((int)lab, argv[2], argv[3], options.only_latest, options.has_commits);
     }
     if (argc == 3 && strcmp(argv[0], "keys") == 0) {
         const uint64_t *seed = is_given[SEED] ? &options.seed : NULL;

@@ -184,6 +184,27 @@ check "in time there" is "Ada Lovelace" 100 0
 check "late there" is "Bob Ross" 90 360
 check "no time there" test "$(of "Carol Shaw" '.score, .late.handed_in')" = "100 null"
 
+entries ada bob cy
+# Who hands in a repository may have written its settings.
+for one in "ada 2026-11-25T23:30:00+01:00" "bob 2026-11-26T00:30:00+0100" "cy 2026-11-26T00:30:00+0100"; do
+    repository="$class/${one%% *}"
+    git init -q "$repository" && git -C "$repository" add . && GIT_COMMITTER_DATE=${one#* } git -C "$repository" \
+        -c user.name=me -c user.email=me@example.org -c commit.gpgsign=false commit -qm lab &&
+        git -C "$repository" config core.fsmonitor "touch $scratch/w/ran; false" &&
+        git -C "$repository" config log.showSignature true && git -C "$repository" config gpg.program "touch $scratch/w/ran"
+done
+rm -rf "$class/cy/.git" && echo "gitdir: $class/bob/.git" >"$class/cy/.git"
+check "Git has the commit's" exits 0 graded
+check "in time" is ada 100 0
+check "late" is bob 90 1860
+check "a file that leads to another's repository is none" test "$(of cy '.score, .late.handed_in')" = "100 null"
+check "nothing of its settings ran" test ! -e "$scratch/w/ran"
+if [ -z "${COURSE_SANDBOX:-}" ]; then
+    COURSE_SANDBOX=none run "$out" --due "$due" --late "$late"
+    check "without bubblewrap the times stay unknown" said "the times of commits stay unknown"
+    check "and nobody is late" is bob 100 0
+fi
+
 entries ada bob
 printf 'Full name,handed in\nada,2026-11-26T01:00+01:00\nbob,25.11.2026 23:00\n' >"$scratch/own.csv"
 check "a column of one's own" exits 0 graded --moodle "$scratch/own.csv"
