@@ -19,15 +19,21 @@ $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
-grader: $(addprefix $(OUT)/tools/,holes gradebook term mutants mutate pairs)
+# An instructor's own points (POINTS=points.csv) as a manifest, for everything that reads one.
+$(OUT)/tools/points: $(call objects,tests/class/points_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
+own_points = $(if $(and $(POINTS),$(graded_lab)),$(OUT)/tools/points "$(graded_lab)" "$$POINTS" $(OUT)/own-points.json &&)
+grade pack gradescope autolab prairielearn github: $(if $(POINTS),$(OUT)/tools/points)
+
+grader: $(addprefix $(OUT)/tools/,holes gradebook points term mutants mutate pairs)
 .PHONY: grade-class
-grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
 	    $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") \
-	    $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") \
+	    $(if $(POINTS),--points "$$POINTS") $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") \
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(NAMES),--names "$$NAMES") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
@@ -61,7 +67,7 @@ prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's imag
 github:  ## a workflow that grades LAB=03 in a repository on GitHub
 gradescope autolab prairielearn github:
 	@$(say_which_lab)
-	@tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems
+	@$(own_points) tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems $(if $(own_points),$(OUT)/own-points.json)
 
 # ---- Skeletons, handouts, pictures ----------------------------------------------------------
 
@@ -76,12 +82,12 @@ skeletons: $(OUT)/tools/holes  ## for authors: cut labs/ anew from solutions/; t
 	@if [ -d labs ]; then rm -rf $(BUILD)/labs-replaced && cp -r labs $(BUILD)/labs-replaced; fi
 	@tests/tools/cut_labs.sh $(OUT)/tools/holes labs
 
-handout:  ## install what is missing, pack what students get: LAB=03
+handout:  ## install what is missing, pack what students get: LAB=03 [POINTS=file.csv]
 	@$(say_which_lab)
 	@common/setup/install.sh handout
 	@$(MAKE) --no-print-directory pack
 pack: $(OUT)/tools/holes grader $(JUDGES)
-	@tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout
+	@$(own_points) tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout $(if $(own_points),$(OUT)/own-points.json)
 
 release:  ## install what is missing, make slides, notes and all handouts for lecturers, in build/release
 	@for what in demo notes handout; do common/setup/install.sh $$what || exit 1; done

@@ -56,7 +56,8 @@ char *feedback_comment(const Gradebook *gradebook, const Row *row)
         fprintf(text, "%s %s %d/%d", i > 0 ? "," : "", task->id, row->points[i], task->max_points);
     }
     if (row->fault != NULL) {
-        fprintf(text, ". First fault: %s: %s", row->fault, row->fault_message);
+        fprintf(text, ". First fault: %s%s%s", row->fault, row->is_fault_hidden ? "" : ": ",
+                row->is_fault_hidden ? "" : row->fault_message);
     }
     if (corrections_has(gradebook, row)) {
         fputs(". Corrected by hand: ", text);

@@ -13,6 +13,7 @@
 #     --moodle FILE.csv      Moodle's participants or grading worksheet
 #     --who FILE.csv         whose an entry is, where the instructor decides: entry, student, counts
 #     --changes FILE.csv     the instructor's corrections: student, task, points, comment, until
+#     --points FILE.csv      the instructor's own points, hints and limits; kept as OUTPUT/points.csv
 #     --due TEXT             the deadline: "2026-11-25 23:59 Europe/Berlin"
 #     --late TEXT            what late work costs: 10%/day,2days
 #     --against FILE.json    an older gradebook.json, to compare scores with
@@ -55,7 +56,7 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' due='' late='' against='' nothing='' names=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' points='' due='' late='' against='' nothing='' names=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -71,6 +72,7 @@ while [ $# -gt 0 ]; do
     --moodle) moodle=$2 ;;
     --who) who=$2 ;;
     --changes) changes=$2 ;;
+    --points) points=$2 ;;
     --due) due=$2 ;;
     --late) late=$2 ;;
     --against) against=$2 ;;
@@ -117,8 +119,9 @@ case $CLASS_FOLDER in -*) CLASS_FOLDER=./$CLASS_FOLDER ;; esac
 case $moodle in -*) moodle=./$moodle ;; esac
 case $who in -*) who=./$who ;; esac
 case $changes in -*) changes=./$changes ;; esac
+case $points in -*) points=./$points ;; esac
 case $against in -*) against=./$against ;; esac
-for file in "$moodle" "$who" "$changes" "$against"; do
+for file in "$moodle" "$who" "$changes" "$points" "$against"; do
     [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
 done
 [ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
@@ -213,9 +216,22 @@ latest=
 "$CLASS_BUILD/tools/gradebook" roster $latest ${due:+--commits} "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
     >"$CLASS_FOLDER/names" || exit 2
 
+# The instructor's own points: those that are given, or were for this class. As a manifest (class/points_tool.c).
+CLASS_MANIFEST=
+own=$CLASS_FOLDER/points.csv
+if [ -n "$points" ] || [ -e "$own" ]; then
+    CLASS_MANIFEST=$CLASS_FOLDER/lab.json
+    "$CLASS_BUILD/tools/points" "$CLASS_LAB" "${points:-$own}" "$CLASS_MANIFEST" || exit 2
+    { [ -z "$points" ] || { cp "$points" "$own.new" && mv "$own.new" "$own"; }; } ||
+        die "$own: cannot be written"
+else
+    rm -f "$CLASS_FOLDER/lab.json"
+fi
+
 # Everything that decides on a score besides the submission.
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
+    cat ${CLASS_MANIFEST:+"$CLASS_MANIFEST"} </dev/null
     find labs solutions common kernels tests/probes tests/stand_ins -type f -print0 | sort -z | xargs -0 sha256sum
     cd "$CLASS_BUILD" && find . -maxdepth 2 -type f \( -path ./tools/grade -o -path ./tools/unpack -o -path ./tools/judge \
         -o -path './probes/*' -o -path './earlier/*' -o -path ./libcommon.a \) -print0 |
@@ -288,7 +304,7 @@ CLASS_SECONDS=${CLASS_SECONDS:-7200}
 # A line for each that is done, where no progress bar says so.
 CLASS_TELLS=
 [ -t 2 ] || CLASS_TELLS=1
-export CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK \
+export CLASS_MANIFEST CLASS_LAB CLASS_FOLDER CLASS_BUILD CLASS_DEVICE CLASS_TIME_LIMIT CLASS_WORK \
     CLASS_SECONDS CLASS_TELLS
 
 # remaining: of those to do, the ones that have not come to an end.

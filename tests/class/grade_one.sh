@@ -55,6 +55,7 @@ TMPDIR=$work setpriv --pdeathsig KILL timeout --foreground --kill-after=5 "$CLAS
     "$CLASS_BUILD/tools/grade" --build "$CLASS_BUILD" --lab "$CLASS_LAB" --read-seed \
     --student "$name" \
     --submission "$CLASS_FOLDER/submissions/$slug" --output "$new" ${CLASS_DEVICE:+--device "$CLASS_DEVICE"} \
+    ${CLASS_MANIFEST:+--manifest "$CLASS_MANIFEST"} \
     --answers "$CLASS_FOLDER/answers" ${CLASS_TIME_LIMIT:+--time-limit "$CLASS_TIME_LIMIT"} \
     >"$log" 2>&1 <<END || status=$?
 $seed

@@ -111,6 +111,7 @@ static void first_fault_take(Row *row, const Graded *graded)
         const GradedCheck *check = &graded->checks[i];
         if (check->status != CHECK_PASSED) {
             fault_take(row, check->title, check->id, check->message);
+            row->is_fault_hidden = check->is_hidden;
             return;
         }
     }

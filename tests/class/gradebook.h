@@ -36,6 +36,7 @@ typedef struct Row {
     char *fault;          // title of the first stage or check that did not pass, or NULL
     char *fault_id;       // the check's id, "" for a stage
     char *fault_message;  // the first line of what it said
+    int is_fault_hidden;  // which is not for students
     const char *picture;  // "picture.png" or "picture.svg" beside the report, or NULL
     double leaderboard;   // the figure of its race; 0: none
     int has_old_score;

@@ -15,6 +15,7 @@ typedef struct GradedCheck {
     const char *cause;  // the known mistake, a fixed sentence; NULL: none is named
     CheckStatus status;
     int points;
+    int is_hidden;  // what it finds is not for students
 } GradedCheck;
 
 // One submission's results. The strings live as long as it does.

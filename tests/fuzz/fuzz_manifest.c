@@ -33,11 +33,11 @@ static void check_manifest(const Manifest *manifest)
         for (int j = 0; j < task->n_checks; j++) {
             const TaskCheck *check = &task->checks[j];
             MUST_HOLD(manifest_hint(task, check->id) == (check->hint ? check->hint : task->hint));
-            MUST_HOLD(check->points > 0);
+            MUST_HOLD(check->points > 0 || (manifest->changed != NULL && check->points == 0));
             points += check->points;
         }
     }
-    MUST_HOLD(points == 100);
+    MUST_HOLD(points == 100 || manifest->changed != NULL);
     MUST_HOLD(manifest->leaderboard == NULL ||
               (manifest->leaderboard[0] != '\0' && !manifest_has_host_files(manifest)));
 }

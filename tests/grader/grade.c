@@ -42,6 +42,9 @@ static void start_result(Grading *grading, const Settings *settings)
     result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
     result->submission = shown_submission(settings);
     grading_list_checks(grading);
+    if (grading->session.manifest.changed != NULL) {
+        result_add_stage(result, "Points", CHECK_PASSED, grading->session.manifest.changed);
+    }
 }
 
 // How the whole submission ended before its end, and where. Owned by the caller.
@@ -237,6 +240,7 @@ static int grade(Grading *grading, const Settings *settings)
     session_device_name(session, session->has_solution ? &session->solution : &grading->whole,
                         grading->result.device, sizeof grading->result.device);
     if (!is_staged) {
+        result_drop_off(&grading->result);
         return 0;
     }
     if (grading_retry(grading) != 0) {
@@ -247,6 +251,7 @@ static int grade(Grading *grading, const Settings *settings)
     if (grading_judge(grading) != 0) {
         return -1;
     }
+    result_drop_off(&grading->result);
     add_up_score(&grading->result);
     add_advice(grading);
     const Answers answers = {grading->whole.number, &grading->whole.answers};
@@ -270,7 +275,7 @@ static int list_checks(const Settings *settings)
 {
     static JudgeProcess judge;
     Manifest manifest;
-    if (manifest_load(manifest_folder(settings->lab), settings->lab, &manifest) != 0) {
+    if (manifest_load_file(settings->manifest, settings->lab, &manifest) != 0) {
         return EXIT_FAULT;
     }
     const int started = judge_start(&judge, settings->build, &manifest, settings->seed);

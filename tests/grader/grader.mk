@@ -82,11 +82,12 @@ lab-grader: graded
 # Status 1 is a verdict, such as points that are missing, and no error of make.
 verdict_is_no_fault = || test $$? -eq 1
 
-# Where make can also write for other systems, through_formats is the command that does (tests/tests.mk).
-grade: graded $$(DESK)  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1]
+# Where make can also write for other systems, through_formats is the command that does, and own_points one
+# before it that makes a manifest of an instructor's POINTS (tests/tests.mk).
+grade: graded $$(DESK)  ## grade LAB=03 [SUBMISSION=folder, archive or file] [SEED=n] [DEVICE=d] [TIME_LIMIT=seconds] [TASK=name | ALL=1] [POINTS=file.csv]
 	@$(say_which_lab)
 	$(if $(and $(FORMAT),$(graded_lab)),$(if $(through_formats),,@echo "make grade: a handout has no FORMAT: build/grade/ holds what it writes" >&2; exit 2))
-	@$(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(SUBMISSION),--submission "$$SUBMISSION") \
+	@$(own_points) $(through_formats) $(OUT)/tools/grade --build $(OUT) --lab "$$LAB" $(if $(own_points),--manifest $(OUT)/own-points.json) $(if $(SUBMISSION),--submission "$$SUBMISSION") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT") \
 	    $(if $(TASK),--task "$$TASK",$(if $(ALL),,--first)) $(verdict_is_no_fault)

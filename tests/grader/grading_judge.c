@@ -22,10 +22,12 @@ void grading_list_checks(Grading *grading)
     result->n_checks = grading->session.judge.n_checks;
     for (int i = 0; i < result->n_checks; i++) {
         const Check *check = &grading->session.judge.checks[i];
+        const TaskCheck *own = manifest_check(&grading->session.manifest, check->id);
         result->checks[i] = (CheckResult){.id = check->id,
                                           .title = check->title,
                                           .task = check->task,
                                           .max_points = check->points,
+                                          .is_hidden = own != NULL && own->is_hidden,
                                           .status = CHECK_NOT_RUN};
         check_tell(&result->checks[i], NOTHING_WRONG);
         result->max_score += check->points;

@@ -125,7 +125,7 @@ int session_open(Session *session, const Settings *settings)
     SandboxKind sandbox;
     session->has_solution = manifest_has_solution(settings->lab);
     if (host_limits_raise() != 0 ||
-        manifest_load(manifest_folder(settings->lab), settings->lab, &session->manifest) != 0 ||
+        manifest_load_file(settings->manifest, settings->lab, &session->manifest) != 0 ||
         sandbox_choose(settings->sandbox, &sandbox) != 0 ||
         // In a handout all is the student's own.
         (sandbox_is_open(sandbox) && session->has_solution && secrets_check(settings) != 0) ||

@@ -48,6 +48,8 @@ static const OptionRow ROWS[] = {
                   .meaning = "the hidden scenes' seed (default: a new one)"},
     {"read-seed", NULL, OPTION_FLAG, PLACE(reads_seed),
      .meaning = "read it from stdin: others can see command lines"},
+    {"manifest", "FILE", OPTION_TEXT, PLACE(settings.manifest),
+     .meaning = "a lab.json with points of your own (tools/points makes it)"},
     {"device", "D", OPTION_TEXT, PLACE(settings.device),
      .meaning = "OpenCL device by number or name"},
     {"time-limit", "S", OPTION_NUMBER, PLACE(settings.time_limit), 1, 3600,
@@ -161,6 +163,25 @@ static int read_seed(uint64_t *seed)
     return 0;
 }
 
+// The time limit and the seed of an instructor's own points, where the command line has none.
+// Returns 0, or -1 after one message.
+static int take_own(Settings *settings, int *has_seed)
+{
+    Manifest manifest;
+    if (manifest_load_file(settings->manifest, settings->lab, &manifest) != 0) {
+        return -1;
+    }
+    if (settings->time_limit == 0) {
+        settings->time_limit = manifest.time_limit;
+    }
+    if (!*has_seed && manifest.has_seed) {
+        settings->seed = manifest.seed;
+        *has_seed = 1;
+    }
+    manifest_free(&manifest);
+    return 0;
+}
+
 // What is graded and where the reports go. Returns 0, or -1 after one message.
 static int set_folders(const GivenSettings *given, Settings *settings)
 {
@@ -217,8 +238,11 @@ int settings_parse(int argc, char **argv, Settings *settings)
         course_folder_check("grade") != 0 || find_lab(given.lab, settings->lab) != 0) {
         return -1;
     }
-    if (!is_given[SEED_ROW] && !given.reads_seed &&
-        draw_seed(settings->lab, &settings->seed) != 0) {
+    int has_seed = is_given[SEED_ROW];
+    if (settings->manifest != NULL && take_own(settings, &has_seed) != 0) {
+        return -1;
+    }
+    if (!has_seed && !given.reads_seed && draw_seed(settings->lab, &settings->seed) != 0) {
         return -1;
     }
     return set_folders(&given, settings);

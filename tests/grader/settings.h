@@ -14,6 +14,7 @@ typedef struct Settings {
     const char *student;        // whose it is, for the reports; NULL: they name the submission
     const char *task;           // the one that stdout tells of; NULL: see tells_first
     int tells_first;            // stdout tells of the first task that failed, else of all
+    const char *manifest;       // a lab.json with an instructor's own points; NULL: the lab's
     const char *build;          // where the probes are
     const char *device;         // "" for the first
     const char *kept_answers;   // see kept_answers.h; NULL: the solution is run

@@ -2,12 +2,13 @@
 # Pack what students get for a lab: FOLDER/NN-name.tar.gz, and print its path. FOLDER/NN-name.txt lists what
 # is in it.
 #
-#     tests/handout/pack.sh TOOLS LAB FOLDER
+#     tests/handout/pack.sh TOOLS LAB FOLDER [MANIFEST]
 #
 # It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, the grader, this
 # lab's probe, the judge as a program, and a README of its own; never anything of this lab's solution or of
 # later labs, nor any text of the judge. Of the course only tracked files go in. The same commit gives the same bytes, other than where the machine it is packed on
 # is so slow that students are given more time. TOOLS is the folder with the built tools `holes` and `grade`.
+# MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c).
 set -eu
 unset TAR_OPTIONS  # they come before those below
 
@@ -88,6 +89,11 @@ for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr
     cp "$stage/cut/labs/$lab/$file" "$root/tests/skeletons/$lab/"
 done
 
+if [ -n "${4:-}" ]; then
+    cp "$4" "$root/labs/$lab/lab.json"
+    own_points='The points that '"\`make grade LAB=$number\`"' shows are your course'"'"'s own: they count, and not those in the texts.'
+fi
+
 # The lab's judge as a program, for both kinds of machines. Its text would be the answers in other words; the
 # judges of other labs, in the same program, would bring along this lab's solution, compiled.
 mkdir -p "$root/tests/judge"
@@ -113,6 +119,7 @@ title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
     # Lab 10 has a page for each of its parts.
     grep -q '^## Tasks$' "labs/$lab/README.md" && tasks=tasks || tasks=which-part
     sed -e "$none" -e "s/@TASKS@/$tasks/" -e "s|@FILES@|$files|g" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in
+    [ -z "${own_points:-}" ] || printf '## Points\n\n%s\n\n' "$own_points"
     awk '/^## / { inside = $0 == "## Licence" } inside' README.md
 } >"$root/README.md"
 

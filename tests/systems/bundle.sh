@@ -1,9 +1,9 @@
 #!/bin/sh
 # Pack what one of the systems that courses use needs to grade one lab (tests/systems/README.md).
 #
-#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github LAB FOLDER
+#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github LAB FOLDER [MANIFEST]
 #
-# LAB is a lab's number or name: 3, 03 or 03-kdtree-2d-render.
+# MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c). LAB is a lab's number or name: 3, 03 or 03-kdtree-2d-render.
 #
 # The same sources make the same bytes: names are sorted, owners and rights are fixed, and every
 # time is that of the last commit (or SOURCE_DATE_EPOCH). Only what git tracks is packed.
@@ -26,6 +26,7 @@ if [ ! -d "$templates" ] || [ -z "$lab" ]; then
 fi
 command -v jq >/dev/null || { echo "bundle: jq is not here: install the package jq" >&2 && exit 2; }
 number=${lab%%-*}
+manifest=${4:-solutions/$lab/lab.json}
 date=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
 stage=$(mktemp -d "${TMPDIR:-/tmp}/bundle-XXXXXX")
 trap 'rm -rf "$stage"' EXIT
@@ -52,6 +53,7 @@ copy_course() {
         tests/systems/formats tests/systems/prepare.sh tests/systems/limits.sh "tests/systems/$system" \
         "labs/$lab" $(printf 'solutions/%s ' $solutions) |
         grep -v '\.md$' | tar -cf - -T - | tar -xf - -C "$1"
+    for whose in labs solutions; do cp "$manifest" "$1/$whose/$lab/lab.json"; done
 }
 
 # fill NAME...: replace the @WORDS@ in files of the stage.
@@ -90,7 +92,7 @@ pack_zip() {
 }
 
 # Each task of the lab: "ID POINTS".
-tasks() { jq -r '.tasks[] | "\(.id) \([.points[]] | add)"' "solutions/$lab/lab.json"; }
+tasks() { jq -r '.tasks[] | "\(.id) \([.points[]] | add)"' "$manifest"; }
 
 # The problems of an Autolab assessment are the lab's tasks, with their points.
 write_problems() {

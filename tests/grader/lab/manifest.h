@@ -11,8 +11,16 @@
 //                    "more_hints": [ "where to look", "what to draw", "the formula" ] } ],
 //       "leaderboard": "times as fast as lab 00's kernel",
 //       "hours": 2, "look": "--scene random:n=500", "figure": "01-naive-2d.png" }
+//
+// An instructor's own points make another such file of it (class/points_tool.c), with one more
+// field, and 0 points for a check that is turned off:
+//
+//       "changed": { "says": "1 check is off (points.csv)", "total": 90,
+//                    "hidden": ["overlaps-inside"], "time_limit": 30, "seed": "7" }
 #ifndef GRADER_MANIFEST_H
 #define GRADER_MANIFEST_H
+
+#include <stdint.h>
 
 enum {
     MANIFEST_MAX_FILES = 8,
@@ -22,9 +30,10 @@ enum {
 };
 
 typedef struct TaskCheck {
-    char *id;  // as the judge has it
-    int points;
-    char *hint;  // in place of the task's, or NULL
+    char *id;       // as the judge has it
+    int points;     // 0: turned off
+    int is_hidden;  // what it finds is not for students
+    char *hint;     // in place of the task's, or NULL
 } TaskCheck;
 
 typedef struct Task {
@@ -48,15 +57,22 @@ typedef struct Manifest {
                         // NULL in a lab without a race (run/race.h)
     int hours;          // planned for it; 0 where nothing is said
     char *look;         // options with which its program draws in a moment; NULL: none
-    char *figure;       // in slides-notes/figures: what a right answer draws with them; NULL: none
+    char *changed;      // how an instructor has changed points and hints, or NULL
+    int time_limit;     // the instructor's: seconds as for grade --time-limit; 0: none
+    int has_seed;       // the instructor's, for the hidden scenes
+    uint64_t seed;
+    char *figure;  // in slides-notes/figures: what a right answer draws with them; NULL: none
 } Manifest;
 
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a
 // field missing or of the wrong type, unknown fields, a file name with a slash or a leading dot, a
-// task whose file is not listed, an id given twice, points that do not add up to 100, a hint for a
+// task whose file is not listed, an id given twice, points that do not add up to 100 or to what an
+// instructor's own file says, a hint for a
 // check without points, a leaderboard where host files are handed in, which a race could not be
 // built with ahead). Whether the judge has the same checks: judge_start().
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
+// Likewise from any file; NULL: the lab's own.
+int manifest_load_file(const char *path, const char *lab, Manifest *manifest);
 void manifest_free(Manifest *manifest);
 
 // Is the solution of the lab here? A handout has those of earlier labs only.
@@ -67,6 +83,9 @@ const char *manifest_folder(const char *lab);
 
 // The hint for a check of the task: its own, or the task's.
 const char *manifest_hint(const Task *task, const char *check);
+
+// The check with this id, of any task, or NULL.
+const TaskCheck *manifest_check(const Manifest *manifest, const char *id);
 
 // The task with this id, or NULL.
 const Task *manifest_task(const Manifest *manifest, const char *id);

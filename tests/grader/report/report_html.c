@@ -136,7 +136,7 @@ static void check_write(FILE *page, const CheckResult *check)
     html_line(page, check->id);
     fprintf(page, "</code></div><span class=\"number\">%d / %d</span>\n", check->points,
             check->max_points);
-    html_message(page, check->message);
+    html_message(page, check_message_shown(check));
     fputs("</div>\n", page);
 }
 

@@ -157,7 +157,7 @@ static void check_print(const TextReport *report, const CheckResult *check)
     fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n", colour(report, status_colour(status)),
             status_mark(status), colour(report, PLAIN), report->id_columns, check->id, points,
             check->title);
-    message_print(report->out, check->message, MESSAGE_PROSE);
+    message_print(report->out, check_message_shown(check), MESSAGE_PROSE);
 }
 
 static void hint_print(const TextReport *report, const char *text)

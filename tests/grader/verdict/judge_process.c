@@ -239,7 +239,7 @@ static int take_points(JudgeProcess *judge)
     }
     for (int i = 0; i < judge->n_checks; i++) {
         const Check *check = &judge->checks[i];
-        if (check->points == 0) {
+        if (manifest_check(manifest, check->id) == NULL) {
             complain("%s/%s/lab.json: %s: found no points for the check \"%s\"",
                      manifest_folder(manifest->lab), manifest->lab, check->task, check->id);
             return -1;

@@ -73,6 +73,25 @@ CheckStatus check_status_shown(const CheckResult *check)
     return check->is_unanswered ? CHECK_NOT_RUN : check->status;
 }
 
+const char *check_message_shown(const CheckResult *check)
+{
+    return check->is_hidden && check->status != CHECK_PASSED ? "what it found is not shown"
+                                                             : check->message;
+}
+
+void result_drop_off(Result *result)
+{
+    int n = 0;
+    for (int i = 0; i < result->n_checks; i++) {
+        if (result->checks[i].max_points > 0) {
+            result->checks[n++] = result->checks[i];
+        } else {
+            check_free(&result->checks[i]);
+        }
+    }
+    result->n_checks = n;
+}
+
 TaskPoints result_task_points(const Result *result, const char *task)
 {
     TaskPoints sum = {0};

@@ -33,6 +33,7 @@ typedef struct CheckResult {
     int passes_alone;   // its answer passes it alone, though not in the whole;
     int is_told_alone;  // or fails it there, too, and what was found there is what is said
     const char *alone;  // what else came of testing it alone, in words; NULL: nothing
+    int is_hidden;      // what it finds is not for students
     int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 
@@ -49,13 +50,13 @@ typedef struct PictureResult {
 typedef struct StageResult {
     const char
         *title;  // "Staging", "What stands out", "Sandbox", "Compiling", "Running", "Markers",
-                 // "Trying answers alone", "What to try next"
+                 // "Trying answers alone", "Points", "What to try next"
     CheckStatus status;
     // Compiler output with the student's own file and line, crash, time-out... Owned.
     char *message;
 } StageResult;
 
-enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 8 };
+enum { RESULT_MAX_CHECKS = 32, RESULT_MAX_PICTURES = 12, RESULT_MAX_STAGES = 9 };
 
 typedef struct Result {
     const char *lab;         // "01-naive-2d"
@@ -97,6 +98,12 @@ const char *check_status_name(CheckStatus status);
 // What reports for people show: nothing is wrong yet with a task that stands as it was handed out,
 // though to other systems its checks have failed.
 CheckStatus check_status_shown(const CheckResult *check);
+
+// What reports for people say of it: its message, or of a hidden one that failed that this is so.
+const char *check_message_shown(const CheckResult *check);
+
+// Leave out the checks that an instructor has turned off: those that can earn no points.
+void result_drop_off(Result *result);
 
 typedef struct TaskPoints {
     int points, max_points;  // sums over the task's checks

@@ -20,9 +20,10 @@ def stages_words:
     | (if .status == "passed" then "\(.title):" else "\(.title): \(.status)" end), .message
   ] | lines;
 
-# The checks, each with its `words`: its message, and its hint below.
+# The checks, each with its `words`: its message, and its hint below. What an instructor hides is not told.
 def checks:
   .checks
+  | map(if .hidden and .status != "passed" then .message = "what it found is not shown" else . end)
   | map(. + { words: ([
       (if .status == "not-run" then "Not run: something before it failed." else "" end),
       .message,
