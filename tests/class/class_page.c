@@ -97,7 +97,8 @@ static void head_write(FILE *page, const Gradebook *gradebook, const Tally *tall
     facts_write(page, gradebook);
     class_histogram_write(page, gradebook);
     fprintf(page,
-            "<nav><a href=\"#failures\">What went wrong</a> <a href=\"#checks\">Checks</a> %s"
+            "<nav><a href=\"#failures\">What went wrong</a> <a href=\"#tasks\">Tasks</a> "
+            "<a href=\"#checks\">Checks</a> %s"
             "<a href=\"#table\">Every submission</a>%s</nav>\n"
             "</header>\n",
             has_leaderboard ? "<a href=\"#leaderboard\">Leaderboard</a> " : "",
@@ -310,7 +311,8 @@ static void page_write(FILE *page, const Gradebook *gradebook, const Failures *f
         lateness_class_write(page, gradebook);
         class_changes_write(page, gradebook);
     }
-    class_failures_write(page, failures);
+    class_failures_write(page, gradebook, failures);
+    class_tasks_write(page, gradebook);
     class_checks_write(page, gradebook);
     class_leaderboard_write(page, gradebook, leaderboard);
     table_write(page, gradebook);

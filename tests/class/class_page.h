@@ -22,8 +22,14 @@ void class_changes_write(FILE *page, const Gradebook *gradebook);
 // What the instructor has corrected by hand.
 void class_corrections_write(FILE *page, const Gradebook *gradebook);
 
-// Who failed alike.
-void class_failures_write(FILE *page, const Failures *failures);
+// All that went wrong, by cause, with who it happened to.
+void class_failures_write(FILE *page, const Gradebook *gradebook, const Failures *failures);
+
+// A failure's cause, or else what was said of its first row; "" where that is not for the hall.
+const char *class_failure_words(const Failure *failure, int has_names);
+
+// How many answered each task.
+void class_tasks_write(FILE *page, const Gradebook *gradebook);
 
 // How many passed each check.
 void class_checks_write(FILE *page, const Gradebook *gradebook);

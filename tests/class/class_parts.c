@@ -156,41 +156,154 @@ void class_corrections_write(FILE *page, const Gradebook *gradebook)
     fputs("</tbody></table></div>\n", page);
 }
 
-// ---- The same failure ------------------------------------------------------------------------
+// ---- What went wrong -------------------------------------------------------------------------
 
 // The names of a larger group are folded away.
 enum { MOST_NAMES = 24 };
 
-static void failure_write(FILE *page, const Failure *failure)
+static void names_write(FILE *page, const Row *const *rows, int n_rows)
+{
+    fputs("<p class=\"names\">", page);
+    for (int i = 0; i < n_rows; i++) {
+        fputs(i > 0 ? " &middot; " : "", page);
+        class_name_write(page, rows[i]);
+    }
+    fputs("</p>\n", page);
+}
+
+static void failure_picture_write(FILE *page, const Row *row)
+{
+    fprintf(page,
+            "<figure><a href=\"students/%s/report.html\"><img loading=\"lazy\" alt=\"one of the "
+            "pictures\" src=\"students/%s/%s\"></a></figure>\n",
+            row->entrant->slug, row->entrant->slug, row->picture);
+}
+
+// What a stage said quotes the student, and what is hidden is not for students: neither is on the
+// page without names.
+const char *class_failure_words(const Failure *failure, int has_names)
+{
+    const int is_ours =
+        has_names || (failure->check >= 0 && !failure->rows[0]->is_hidden[failure->check]);
+    const char *words = failure->cause != NULL ? failure->cause : failure->sentence;
+    return is_ours ? words : "";
+}
+
+static void failure_write(FILE *page, const Failure *failure, int has_names)
 {
     fprintf(page, "<details class=\"failure\"%s><summary><span class=\"number\">%d</span><span><b>",
             failure->n_rows <= MOST_NAMES ? " open" : "", failure->n_rows);
-    html_line(page, failure->first->fault);
+    html_line(page, failure->title);
     fputs("</b> <code class=\"soft\">", page);
-    html_line(page, failure->first->fault_id);
+    html_line(page, failure->id);
     fputs("</code><span class=\"message\">", page);
-    html_line(page, failure->first->fault_message);
-    fputs("</span></span></summary>\n<p class=\"names\">", page);
-    for (int i = 0; i < failure->n_rows; i++) {
-        fputs(i > 0 ? " &middot; " : "", page);
-        class_name_write(page, failure->rows[i]);
+    html_line(page, class_failure_words(failure, has_names));
+    fputs("</span></span></summary>\n", page);
+    if (has_names && failure->shown != NULL) {
+        failure_picture_write(page, failure->shown);
     }
-    fputs("</p></details>\n", page);
+    names_write(page, failure->rows, failure->n_rows);
+    fputs("</details>\n", page);
 }
 
-void class_failures_write(FILE *page, const Failures *failures)
+// Who handed in nothing of this lab, as one group: also where nobody has names.
+static void nothing_group_write(FILE *page, const Gradebook *gradebook)
 {
-    if (failures->n_failures == 0) {
+    int n = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        n += row->status == ROW_NOTHING && row_that_counts(gradebook, row) == row;
+    }
+    if (n > 0) {
+        fprintf(page,
+                "<div class=\"failure\"><div class=\"plain\"><span class=\"number\">%d</span>"
+                "<span><b>Nothing of this lab was handed in</b></span></div></div>\n",
+                n);
+    }
+}
+
+void class_failures_write(FILE *page, const Gradebook *gradebook, const Failures *failures)
+{
+    const int has_names = !gradebook->has_no_names;
+    int n = 0;
+    if (failures->n_failures == 0 && gradebook->n_nothing == 0) {
         return;
     }
-    fputs("<h2 class=\"section\" id=\"failures\">What went wrong first</h2>\n"
-          "<p class=\"soft\">Submissions whose first fault is the same, numbers aside.</p>\n"
-          "<div class=\"card\">\n",
-          page);
-    for (int i = 0; i < failures->n_failures; i++) {
-        failure_write(page, &failures->failures[i]);
+    fputs(
+        "<h2 class=\"section\" id=\"failures\">What went wrong</h2>\n"
+        "<p class=\"soft\">Every fault of everybody who counts, by its cause where that is known, "
+        "numbers aside. A task that was not answered is no fault.</p>\n"
+        "<div class=\"card\">\n",
+        page);
+    nothing_group_write(page, gradebook);
+    for (; n < failures->n_failures && failures->failures[n].n_rows > 1; n++) {
+        failure_write(page, &failures->failures[n], has_names);
     }
-    fputs("</div>\n", page);
+    // What happened to one only is folded away where others have something in common.
+    const int n_single = failures->n_failures - n, is_folded = n > 0 && n_single > 3;
+    if (is_folded) {
+        fprintf(page,
+                "<details class=\"more\"><summary>%d more, of one submission each</summary>\n",
+                n_single);
+    }
+    for (; n < failures->n_failures; n++) {
+        failure_write(page, &failures->failures[n], has_names);
+    }
+    fputs(is_folded ? "</details>\n</div>\n" : "</div>\n", page);
+}
+
+// ---- Tasks -----------------------------------------------------------------------------------
+
+// A check of the task that the row's result calls open: then the whole task is.
+static int is_answered(const Gradebook *gradebook, const Row *row, const Column *task)
+{
+    for (int i = 0; i < gradebook->n_checks; i++) {
+        if (strcmp(gradebook->checks[i].task, task->id) == 0 && row->is_open[i]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void task_write(FILE *page, const Gradebook *gradebook, int t)
+{
+    const Column *task = &gradebook->tasks[t];
+    int n_answered = 0, n_full = 0;
+    double sum = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (!row_is_graded(row) || row_that_counts(gradebook, row) != row) {
+            continue;
+        }
+        n_answered += is_answered(gradebook, row, task);
+        n_full += row->points[t] == task->max_points;
+        sum += row->points[t];
+    }
+    fprintf(page, "<tr><td class=\"name\">%d. ", t + 1);
+    html_line(page, task->title);
+    fputs(" <code class=\"soft\">", page);
+    html_line(page, task->id);
+    fprintf(page,
+            "</code></td><td class=\"number\">%d</td><td class=\"number\">%d</td>"
+            "<td class=\"number\">%.1f of %d</td></tr>\n",
+            n_answered, n_full, n_answered > 0 ? sum / n_answered : 0.0, task->max_points);
+}
+
+void class_tasks_write(FILE *page, const Gradebook *gradebook)
+{
+    if (gradebook->n_tasks == 0) {
+        return;
+    }
+    fputs(
+        "<h2 class=\"section\" id=\"tasks\">Tasks</h2>\n<p class=\"soft\">In the order of the lab: "
+        "how many handed in an answer, and what it earned.</p>\n<div class=\"card\"><table><thead>"
+        "<tr><th>Task</th><th class=\"number\">Answered</th><th class=\"number\">All points</th>"
+        "<th class=\"number\">Mean of the answered</th></tr></thead><tbody>\n",
+        page);
+    for (int t = 0; t < gradebook->n_tasks; t++) {
+        task_write(page, gradebook, t);
+    }
+    fputs("</tbody></table></div>\n", page);
 }
 
 // ---- Checks ----------------------------------------------------------------------------------

@@ -8,13 +8,10 @@
 #include "html.h"
 #include "manifest.h"
 #include "participant_fit.h"
-#include "path.h"
 
 #include <ctype.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { STUDENT, TASK, POINTS, COMMENT, UNTIL, N_COLUMNS };
 static const char *const titles[N_COLUMNS] = {"student", "task", "points", "comment", "until"};
@@ -223,12 +220,10 @@ int corrections_load(const char *path, const char *lab, const Gradebook *gradebo
                      const Worksheet *worksheet, Corrections *corrections)
 {
     Manifest manifest;
-    char own[PATH_MAX];  // the instructor's own points (points_tool.c)
     int columns[N_COLUMNS];
     *corrections = (Corrections){.path = path, .worksheet = worksheet};
     Sheet *sheet = &corrections->sheet;
-    path_make(own, "%s/lab.json", gradebook->folder);
-    if (manifest_load_file(access(own, F_OK) == 0 ? own : NULL, lab, &manifest) != 0) {
+    if (gradebook_manifest(gradebook, lab, &manifest) != 0) {
         return -1;
     }
     int result = sheet_load(path, "a list of corrections", sheet);

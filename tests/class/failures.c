@@ -1,8 +1,9 @@
-// Grouping rows by what went wrong first (see failures.h).
+// Grouping rows by what went wrong (see failures.h).
 #include "failures.h"
 
+#include "complain.h"
+
 #include <ctype.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,55 +36,118 @@ static int sentences_compare(const char *a, const char *b)
     return left - right;
 }
 
-static int failures_compare(const Row *a, const Row *b)
+// A row with one of its faults.
+typedef struct Fault {
+    const Row *row;
+    int check;                     // as in Failure
+    const char *cause, *sentence;  // as there
+} Fault;
+
+static int faults_alike(const Fault *a, const Fault *b)
 {
-    int order = strcmp(a->fault_id, b->fault_id);
-    order = order != 0 ? order : strcmp(a->fault, b->fault);
-    return order != 0 ? order : sentences_compare(a->fault_message, b->fault_message);
+    if (a->check != b->check) {
+        return a->check - b->check;
+    }
+    const int order = (b->cause != NULL) - (a->cause != NULL);
+    if (order != 0) {
+        return order;
+    }
+    return a->cause != NULL ? strcmp(a->cause, b->cause)
+                            : sentences_compare(a->sentence, b->sentence);
 }
 
-static int rows_compare(const void *left, const void *right)
+static int faults_compare(const void *left, const void *right)
 {
-    const Row *a = *(const Row *const *)left;
-    const Row *b = *(const Row *const *)right;
-    const int order = failures_compare(a, b);
-    return order != 0 ? order : (a > b) - (a < b);
+    const Fault *a = left, *b = right;
+    const int order = faults_alike(a, b);
+    return order != 0 ? order : (a->row > b->row) - (a->row < b->row);
 }
 
-// The largest first; of equals the one whose first row comes first.
+// The largest first; of equals the one whose first row comes first, then the lab's order of checks.
 static int sizes_compare(const void *left, const void *right)
 {
-    const Failure *a = left;
-    const Failure *b = right;
-    return a->n_rows != b->n_rows ? b->n_rows - a->n_rows
-                                  : (a->first > b->first) - (a->first < b->first);
+    const Failure *a = left, *b = right;
+    int order = b->n_rows - a->n_rows;
+    order = order != 0 ? order : (a->rows[0] > b->rows[0]) - (a->rows[0] < b->rows[0]);
+    order = order != 0 ? order : a->check - b->check;
+    return order != 0 ? order : (a->cause == NULL) - (b->cause == NULL);
+}
+
+static int count_found(const Row *row, int n_checks)
+{
+    int n = 0;
+    for (int i = 0; i < n_checks; i++) {
+        n += row->found[i] != NULL;
+    }
+    return n;
+}
+
+// All faults of all rows that count, in no order. Returns how many.
+static int faults_list(const Gradebook *gradebook, Fault *faults)
+{
+    int n = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        if (row_that_counts(gradebook, row) != row || !row_is_graded(row)) {
+            continue;
+        }
+        if (row->fault != NULL && row->fault_id[0] == '\0') {
+            faults[n++] = (Fault){row, -1, row->fault, row->fault_message};
+        }
+        for (int c = 0; c < gradebook->n_checks; c++) {
+            if (row->found[c] != NULL) {
+                faults[n++] = (Fault){row, c, row->causes[c], row->found[c]};
+            }
+        }
+    }
+    return n;
+}
+
+static Failure failure_begin(const Gradebook *gradebook, const Fault *fault, const Row **rows)
+{
+    const Column *check = fault->check >= 0 ? &gradebook->checks[fault->check] : NULL;
+    return (Failure){.check = fault->check,
+                     .title = check != NULL ? check->title : fault->row->fault,
+                     .id = check != NULL ? check->id : "",
+                     .cause = check != NULL ? fault->cause : NULL,
+                     .sentence = fault->sentence,
+                     .rows = rows};
+}
+
+static void failure_add(Failure *failure, const Row *row, int n_checks)
+{
+    failure->rows[failure->n_rows++] = row;
+    // What a program drew before it ended says nothing about its end.
+    if (failure->check >= 0 && row->picture != NULL &&
+        (failure->shown == NULL ||
+         count_found(row, n_checks) < count_found(failure->shown, n_checks))) {
+        failure->shown = row;
+    }
 }
 
 int failures_find(const Gradebook *gradebook, Failures *failures)
 {
-    const size_t n_most = (size_t)gradebook->n_rows + 1;
+    const size_t n_most = (size_t)gradebook->n_rows * (size_t)(gradebook->n_checks + 1) + 1;
+    Fault *faults = calloc(n_most, sizeof *faults);
     *failures = (Failures){.failures = calloc(n_most, sizeof *failures->failures),
-                           .rows = calloc(n_most, sizeof *failures->rows)};
-    if (failures->failures == NULL || failures->rows == NULL) {
-        fprintf(stderr, "gradebook: out of memory\n");
+                           .rows = calloc(n_most, sizeof(const Row *))};
+    if (faults == NULL || failures->failures == NULL || failures->rows == NULL) {
+        complain("gradebook: out of memory");
+        free(faults);
         failures_free(failures);
         return -1;
     }
-    int n = 0;
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        if (gradebook->rows[i].fault != NULL) {
-            failures->rows[n++] = &gradebook->rows[i];
-        }
-    }
-    qsort(failures->rows, (size_t)n, sizeof *failures->rows, rows_compare);
+    const int n = faults_list(gradebook, faults);
+    qsort(faults, (size_t)n, sizeof *faults, faults_compare);
     Failure *failure = NULL;
     for (int i = 0; i < n; i++) {
-        if (failure == NULL || failures_compare(failure->first, failures->rows[i]) != 0) {
+        if (i == 0 || faults_alike(&faults[i - 1], &faults[i]) != 0) {
             failure = &failures->failures[failures->n_failures++];
-            *failure = (Failure){failures->rows[i], 0, &failures->rows[i]};
+            *failure = failure_begin(gradebook, &faults[i], &failures->rows[i]);
         }
-        failure->n_rows++;
+        failure_add(failure, faults[i].row, gradebook->n_checks);
     }
+    free(faults);
     qsort(failures->failures, (size_t)failures->n_failures, sizeof *failures->failures,
           sizes_compare);
     return 0;

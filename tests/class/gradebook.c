@@ -199,6 +199,11 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->not_run[i] = check->status == CHECK_NOT_RUN;
         row->causes[i] = check->cause != NULL ? strdup(check->cause) : NULL;
         row->check_points[i] = check->points;
+        row->is_open[i] = strncmp(check->message, NOT_ANSWERED, strlen(NOT_ANSWERED)) == 0;
+        row->is_hidden[i] = (char)check->is_hidden;
+        const int is_found = check->status == CHECK_FAILED && !row->is_open[i] &&
+                             strstr(check->message, PROGRAM_HAD_ENDED) == NULL;
+        row->found[i] = is_found ? first_line(check->message) : NULL;
     }
     first_fault_take(row, graded);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);
@@ -353,6 +358,13 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
     return against != NULL ? old_scores_read(gradebook, against) : 0;
 }
 
+int gradebook_manifest(const Gradebook *gradebook, const char *lab, Manifest *manifest)
+{
+    char own[PATH_MAX];
+    path_make(own, "%s/lab.json", gradebook->folder);
+    return manifest_load_file(access(own, F_OK) == 0 ? own : NULL, lab, manifest);
+}
+
 static void columns_free(Column *columns, int n_columns)
 {
     for (int i = 0; i < n_columns; i++) {
@@ -367,7 +379,7 @@ void gradebook_free(Gradebook *gradebook)
         free(row->reason), free(row->seed);
         free(row->fault), free(row->fault_id), free(row->fault_message);
         for (int c = 0; c < RESULT_MAX_CHECKS; c++) {
-            free(row->causes[c]);
+            free(row->causes[c]), free(row->found[c]);
         }
     }
     free(gradebook->rows);

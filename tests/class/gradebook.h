@@ -32,7 +32,11 @@ typedef struct Row {
     int check_points[RESULT_MAX_CHECKS];  // without
     char passed[RESULT_MAX_CHECKS];       // check i of the gradebook passed
     char not_run[RESULT_MAX_CHECKS];      // or could not be run
+    char is_open[RESULT_MAX_CHECKS];      // or its task stands as it was handed out
+    char is_hidden[RESULT_MAX_CHECKS];    // what it finds is not for students
     char *causes[RESULT_MAX_CHECKS];      // its known mistake, a fixed sentence, or NULL
+    char *found[RESULT_MAX_CHECKS];       // the first line of what it said; NULL: passed, not run,
+                                          // not answered, or the program had ended
     char *fault;          // title of the first stage or check that did not pass, or NULL
     char *fault_id;       // the check's id, "" for a stage
     char *fault_message;  // the first line of what it said
@@ -78,6 +82,10 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
 // Is this an older gradebook of that lab, to compare with? Returns 0, or -1 after one message.
 int gradebook_check_old(const char *against, const char *lab);
 void gradebook_free(Gradebook *gradebook);
+
+// The manifest of the class's lab, with the instructor's own points where there are any
+// (points_tool.c). Returns 0, or -1 after one message. Release with manifest_free().
+int gradebook_manifest(const Gradebook *gradebook, const char *lab, Manifest *manifest);
 
 // "graded", "outdated", "nothing of this lab" or "not graded".
 const char *row_status_name(RowStatus status);

@@ -14,12 +14,13 @@
 // FOLDER/submissions/SLUG to each entry, with `--commits` after it has asked Git for the times of
 // commits, and prints the slug, a tab and the name of each; `keys`
 // gives each its seed (class_keys.h); `check` reads what `write` will need, before all gradings;
-// `write` makes gradebook.csv, gradebook.json and class.html in FOLDER of it, with `--names no`
+// `write` makes gradebook.csv, gradebook.json, class.html and class-slides.html in FOLDER of it, with `--names no`
 // also class-no-names.html, and says how the class did. Exit status: 0; 1 when somebody's work
 // could be lost, as the last line says (tally.h); 2 after one message. Read next: export_archive.h,
 // roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls the first five. `feedback` packs
 // the reports for those whose they are (feedback.h).
 #include "class_keys.h"
+#include "class_slides.h"
 #include "clean_text.h"
 #include "commits.h"
 #include "complain.h"
@@ -271,16 +272,17 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
     return result == 0 ? EXIT_ALL_GRADED : EXIT_FAULT;
 }
 
-// Write the three files; then say how the class did. Returns 0, or -1 after one message.
+// Write the files; then say how the class did. Returns 0, or -1 after one message.
 static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, int is_for_hall,
                        Tally *tally)
 {
     const char *folder = gradebook->folder;
-    char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX], hall[PATH_MAX];
+    char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX], hall[PATH_MAX], slides[PATH_MAX];
     path_make(csv, "%s/gradebook.csv", folder);
     path_make(json, "%s/gradebook.json", folder);
     path_make(page, "%s/class.html", folder);
     path_make(hall, "%s/class-no-names.html", folder);
+    path_make(slides, "%s/class-slides.html", folder);
     unlink(hall);  // one that is not asked for again would be of older scores
     LookAlikes look_alikes;
     int n_open = 0;
@@ -291,6 +293,7 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, i
     const int failed = gradebook_csv(gradebook, csv, worksheet) != 0 ||
                        gradebook_json(gradebook, json, worksheet) != 0 ||
                        gradebook_page(gradebook, page, worksheet) != 0 ||
+                       gradebook_slides(gradebook, slides) != 0 ||
                        (is_for_hall && gradebook_page_without_names(gradebook, hall) != 0) ||
                        (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
     if (!failed) {

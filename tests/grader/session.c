@@ -315,7 +315,7 @@ static Diagnosis describe_missing(const Variant *variant, const char *task)
                              place->where[0] ? " (" : "", place->where, place->with[0] ? ", " : "",
                              place->with, place->where[0] ? ")" : "");
     }
-    return diagnosis_new("%s: the program had ended%s%s",
+    return diagnosis_new("%s: " PROGRAM_HAD_ENDED "%s%s",
                          ended_elsewhere(variant, task) ? "not reached" : "no answer",
                          place->where[0] ? " " : " before", place->where);
 }

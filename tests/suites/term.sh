@@ -281,6 +281,25 @@ ok $? "it has no name, no link to a report, and nothing that a student wrote" "$
 rows() { grep -o '<td class="name">No. [0-9]*</td><td class="number"><b>[0-9]*' "$scratch/shown" | sed 's/[^0-9]*\([0-9]*\)[^0-9]*/\1 /g'; }
 check "the numbers are in the order of the scores" test "$(rows | tr -d '\n')" = "1 100 2 $score 3 $score 4 $(jq .score "$scratch/quoted/results.json") "
 check "who failed alike is listed by number" grep -q 'No. 2 &middot; No. 3' "$scratch/shown"
+# ---- Slides, and what went wrong ----------------------------------------------------------------
+
+page=$scratch/real/class-slides.html
+sed '1,/<main/d' "$page" >"$scratch/shown" 2>/dev/null
+check "the slides are well-formed" xmllint --html --noout "$page"
+! grep -niE 'carol|shaw|jean|bartik|zoe|early|bob|kilby|nobody|PRIVATE|students/|logs/' "$scratch/shown"
+ok $? "they have no name, and nothing that a student wrote" "$(cat "$scratch/shown")"
+check "the most frequent mistake has the first" \
+    sh -c "grep -A 3 'id=\"slide-1\"><p class=\"soft\">2 of 4' '$scratch/shown' | grep -q 'it looks flipped top to bottom'"
+check "with its hint" grep -qF "$(jq -r '.tasks[0].hint' solutions/$lab/lab.json | cut -c 1-20)" "$scratch/shown"
+check "and what it should be" test "$(grep -c '<figcaption>as it should be' "$scratch/shown")" -ge 1
+check "a compiler's error has none" sh -c "! grep -q Compiling '$scratch/shown'"
+page=$scratch/real/class.html
+check "the page groups all faults by cause" sh -c "grep -A 1 '<span class=\"number\">2</span>' '$page' |
+    grep -q 'it looks flipped top to bottom'"
+check "with a picture of one" sh -c "sed -n '/id=\"failures\"/,/id=\"tasks\"/p' '$page' | grep -q '<figure>'"
+check "and says how many answered a task" sh -c "sed -n '/id=\"tasks\"/,/id=\"checks\"/p' '$page' |
+    grep -q 'gradient</code></td><td class=\"number\">4</td><td class=\"number\">1</td>'"
+
 check "without NAMES=no an older one is removed" exits 1 run "$scratch/real" --moodle "$scratch/list.csv"
-check "as its scores would be old" test ! -e "$page"
+check "as its scores would be old" test ! -e "$scratch/real/class-no-names.html"
 finish

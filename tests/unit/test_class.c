@@ -278,31 +278,80 @@ Test(csv_cell, leaves_numbers_of_a_list_as_they_are)
 
 // ---- Failures --------------------------------------------------------------------------------
 
-static Row row_make(const char *check, const char *message)
+static const Entrant ada = {.name = (char *)"ada", .number = (char *)"", .attempt = 1};
+static const Entrant bob = {.name = (char *)"bob", .number = (char *)"", .attempt = 1};
+
+// A row of a lab with two checks, which found these.
+static Row row_make(const Entrant *entrant, const char *first, const char *second)
 {
-    return (Row){
-        .fault = (char *)"A title", .fault_id = (char *)check, .fault_message = (char *)message};
+    return (Row){.entrant = entrant, .found = {(char *)first, (char *)second}};
+}
+
+static Gradebook two_checks(Row *rows, int n_rows)
+{
+    return (Gradebook){.rows = rows,
+                       .n_rows = n_rows,
+                       .checks = {{.id = (char *)"one", .title = (char *)"One"},
+                                  {.id = (char *)"two", .title = (char *)"Two"}},
+                       .n_checks = 2};
 }
 
 Test(failures, are_the_same_whatever_the_numbers)
 {
     Row rows[] = {
-        row_make("one", "pixel (3, 4): found 0.5, expected -1e-05; it looks flipped"),
-        row_make("two", "pixel (3, 4): found 0.5, expected 1"),
-        {0},
-        row_make("one", "pixel (317, 44): found 12, expected 0.25; it looks flipped"),
-        row_make("one", "pixel (317, 44): found 12, expected 0.25; it looks strict"),
+        row_make(&ada, "pixel (3, 4): found 0.5, expected -1e-05; it looks flipped", "also"),
+        row_make(&bob, NULL, "pixel (3, 4): found 0.5, expected 1"),
+        row_make(&ada, NULL, NULL),
+        row_make(&bob, "pixel (317, 44): found 12, expected 0.25; it looks flipped", NULL),
+        row_make(&ada, "pixel (317, 44): found 12, expected 0.25; it looks strict", NULL),
     };
-    const Gradebook gradebook = {.rows = rows, .n_rows = 5};
+    const Gradebook gradebook = two_checks(rows, 5);
     Failures failures;
     cr_assert_eq(failures_find(&gradebook, &failures), 0);
-    cr_assert_eq(failures.n_failures, 3);
+    cr_assert_eq(failures.n_failures, 4);
     cr_expect_eq(failures.failures[0].n_rows, 2);
     cr_expect_eq(failures.failures[0].rows[0], &rows[0]);
     cr_expect_eq(failures.failures[0].rows[1], &rows[3]);
     // Of groups of one size, the one whose first row comes first.
-    cr_expect_eq(failures.failures[1].first, &rows[1]);
-    cr_expect_eq(failures.failures[2].first, &rows[4]);
+    cr_expect_str_eq(failures.failures[1].sentence, "also");
+    cr_expect_eq(failures.failures[2].rows[0], &rows[1]);
+    cr_expect_eq(failures.failures[3].rows[0], &rows[4]);
+    failures_free(&failures);
+}
+
+Test(failures, a_known_cause_is_one_whatever_was_said)
+{
+    Row rows[] = {row_make(&ada, "a circle is missing", NULL),
+                  row_make(&bob, "a row is missing", "x"),
+                  row_make(&ada, "a row is missing", NULL)};
+    rows[0].causes[0] = rows[1].causes[0] = (char *)"the last one is left out";
+    rows[0].picture = rows[1].picture = "picture.png";
+    const Gradebook gradebook = two_checks(rows, 3);
+    Failures failures;
+    cr_assert_eq(failures_find(&gradebook, &failures), 0);
+    cr_assert_eq(failures.n_failures, 3);
+    cr_expect_eq(failures.failures[0].n_rows, 2);
+    cr_expect_str_eq(failures.failures[0].cause, "the last one is left out");
+    cr_expect_eq(failures.failures[0].shown, &rows[0], "the other has two faults");
+    cr_expect_eq(failures.failures[2].shown, NULL);
+    failures_free(&failures);
+}
+
+Test(failures, an_earlier_attempt_is_nobodys)
+{
+    Entrant again = ada;
+    again.attempt = 2;
+    Row rows[] = {row_make(&ada, "first", NULL), row_make(&again, "second", NULL),
+                  row_make(&bob, NULL, NULL)};
+    rows[2].fault = (char *)"Compiling", rows[2].fault_id = (char *)"";
+    rows[2].fault_message = (char *)"error: x";
+    const Gradebook gradebook = two_checks(rows, 3);
+    Failures failures;
+    cr_assert_eq(failures_find(&gradebook, &failures), 0);
+    cr_assert_eq(failures.n_failures, 2);
+    cr_expect_str_eq(failures.failures[0].sentence, "second");
+    cr_expect_eq(failures.failures[1].check, -1);
+    cr_expect_str_eq(failures.failures[1].title, "Compiling");
     failures_free(&failures);
 }
 

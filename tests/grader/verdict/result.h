@@ -16,6 +16,8 @@ typedef enum CheckStatus {
 // One check, judged.
 // How the message of a check begins whose task stands as it was handed out.
 #define NOT_ANSWERED "not answered yet: it stands as it was handed out"
+// What the message of a check has in it that got no answer, as the stage "Running" says already.
+#define PROGRAM_HAD_ENDED "the program had ended"
 
 typedef struct CheckResult {
     const char *id;     // "overlaps-boundary"
