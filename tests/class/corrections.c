@@ -1,11 +1,9 @@
-// Reading and applying corrections (see corrections.h).
+// Reading and applying corrections (see corrections.h). Read next: corrections_tell.c.
 #include "corrections.h"
 
 #include "called.h"
-#include "class_page.h"
 #include "clean_text.h"
 #include "complain.h"
-#include "html.h"
 #include "manifest.h"
 #include "participant_fit.h"
 
@@ -95,9 +93,15 @@ static int student_find(const Corrections *corrections, const Gradebook *gradebo
     return 0;
 }
 
-// Find the task or check of this id. Returns 0, or -1 where there is none, or when memory runs out.
+static int is_score(const Correction *correction)
+{
+    return correction->task != NULL && strcmp(correction->task, SCORE) == 0;
+}
+
+// Find the task or check of this id, or the score. Returns 0, or -1 where there is none, or when memory runs out.
 static int task_find(const Manifest *manifest, const char *id, Correction *correction)
 {
+    int total = 0;
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
         int sum = 0;
@@ -115,8 +119,14 @@ static int task_find(const Manifest *manifest, const char *id, Correction *corre
             correction->max_points = sum;
             return correction->task != NULL ? 0 : -1;
         }
+        total += sum;
     }
-    return -1;
+    if (strcmp(id, SCORE) != 0) {
+        return -1;
+    }
+    correction->task = strdup(SCORE);
+    correction->max_points = total;
+    return correction->task != NULL ? 0 : -1;
 }
 
 static const char *cell_of(const SheetLine *line, int column)
@@ -134,8 +144,8 @@ static int change_read(const Corrections *corrections, const Manifest *manifest,
     }
     if (task_find(manifest, id, correction) != 0) {
         return sheet_fault(corrections->path, line,
-                           "found the task \"%.200s\", expected a task or check of %s", id,
-                           manifest->lab);
+                           "found the task \"%.200s\", expected a task or check of %s, or score",
+                           id, manifest->lab);
     }
     if (points[0] == '\0') {
         return 0;
@@ -156,13 +166,15 @@ static int change_read(const Corrections *corrections, const Manifest *manifest,
     return 0;
 }
 
-// Does an earlier line change the same points? A task's are those of its checks.
+// Does an earlier line change the same points? A task's are those of its checks, and the score is
+// everybody's.
 static int is_taken(const Corrections *corrections, const Correction *correction)
 {
     for (int i = 0; correction->has_points && &corrections->all[i] != correction; i++) {
         const Correction *other = &corrections->all[i];
         if (other->has_points && other->row == correction->row &&
-            strcmp(other->task, correction->task) == 0 &&
+            (is_score(other) || is_score(correction) ||
+             strcmp(other->task, correction->task) == 0) &&
             (other->check == NULL || correction->check == NULL ||
              strcmp(other->check, correction->check) == 0)) {
             return other->line;
@@ -268,21 +280,11 @@ static int column_find(const Column *columns, int n_columns, const char *id)
     return i < n_columns ? i : -1;
 }
 
-// What a row had and gets. Returns 0, or -1 after one message.
-static int change_find(const Corrections *corrections, const Gradebook *gradebook,
+// What points become that were `before`. Returns 0, or -1 after one message.
+static int change_take(const Corrections *corrections, int before, const char *id,
                        Correction *correction)
 {
-    const Row *row = correction->row;
-    const char *id = correction->check != NULL ? correction->check : correction->task;
-    const int column = correction->check != NULL
-                           ? column_find(gradebook->checks, gradebook->n_checks, id)
-                           : column_find(gradebook->tasks, gradebook->n_tasks, id);
-    if (column < 0) {
-        return sheet_fault(corrections->path, correction->line,
-                           "%s is not in the results of this class", id);
-    }
-    correction->before =
-        correction->check != NULL ? row->check_points[column] : row->points[column];
+    correction->before = before;
     correction->after = correction->points + (correction->is_relative ? correction->before : 0);
     if (correction->after < 0 || correction->after > correction->max_points) {
         return sheet_fault(corrections->path, correction->line,
@@ -291,6 +293,26 @@ static int change_find(const Corrections *corrections, const Gradebook *gradeboo
     }
     correction->is_applied = 1;
     return 0;
+}
+
+// What a row had and gets. Returns 0, or -1 after one message.
+static int change_find(const Corrections *corrections, const Gradebook *gradebook,
+                       Correction *correction)
+{
+    const Row *row = correction->row;
+    const char *id = correction->check != NULL ? correction->check : correction->task;
+    if (is_score(correction)) {
+        return change_take(corrections, row->score, id, correction);
+    }
+    const int column = correction->check != NULL
+                           ? column_find(gradebook->checks, gradebook->n_checks, id)
+                           : column_find(gradebook->tasks, gradebook->n_tasks, id);
+    if (column < 0) {
+        return sheet_fault(corrections->path, correction->line,
+                           "%s is not in the results of this class", id);
+    }
+    const int before = correction->check != NULL ? row->check_points[column] : row->points[column];
+    return change_take(corrections, before, id, correction);
 }
 
 int corrections_apply(Corrections *corrections, Gradebook *gradebook)
@@ -307,140 +329,13 @@ int corrections_apply(Corrections *corrections, Gradebook *gradebook)
         if (correction->is_applied) {
             Row *row = &gradebook->rows[correction->row - gradebook->rows];
             const int change = correction->after - correction->before;
-            row->points[column_find(gradebook->tasks, gradebook->n_tasks, correction->task)] +=
-                change;
+            if (!is_score(correction)) {
+                row->points[column_find(gradebook->tasks, gradebook->n_tasks, correction->task)] +=
+                    change;
+            }
             row->score += change;
         }
     }
     gradebook->corrections = corrections;
     return 0;
-}
-
-// ---- Telling -----------------------------------------------------------------------------------
-
-int corrections_has(const Gradebook *gradebook, const Row *row)
-{
-    const Corrections *corrections = gradebook->corrections;
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        if (corrections->all[i].row == row) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-int corrections_count_waiting(const Gradebook *gradebook)
-{
-    const Corrections *corrections = gradebook->corrections;
-    int n = 0;
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        n += corrections->all[i].has_points && !corrections->all[i].is_applied;
-    }
-    return n;
-}
-
-// What a correction changes, "gradient: 40 to 45 (+5)"; nothing where it names no task.
-static void change_write(FILE *file, const Correction *correction)
-{
-    if (correction->task == NULL) {
-        return;
-    }
-    fputs(correction->check != NULL ? correction->check : correction->task, file);
-    if (correction->is_applied) {
-        fprintf(file, ": %d to %d (%+d)", correction->before, correction->after,
-                correction->after - correction->before);
-    } else if (correction->has_points) {
-        fprintf(file, ": %s%d not applied, as nothing was graded",
-                correction->is_relative && correction->points >= 0 ? "+" : "", correction->points);
-    }
-}
-
-static int is_of(const Correction *correction, const Row *row, const Participant *participant)
-{
-    return row != NULL ? correction->row == row
-                       : participant != NULL && correction->participant == participant;
-}
-
-void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row,
-                       const Participant *participant)
-{
-    const Corrections *corrections = gradebook->corrections;
-    const char *between = "";
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        const Correction *correction = &corrections->all[i];
-        if (!is_of(correction, row, participant)) {
-            continue;
-        }
-        fputs(between, file);
-        change_write(file, correction);
-        fprintf(file, "%s%s",
-                correction->task != NULL && correction->comment[0] != '\0' ? ": " : "",
-                correction->comment);
-        if (correction->task == NULL && correction->comment[0] == '\0') {
-            fprintf(file, "more time until %s", correction->until);
-        }
-        between = "; ";
-    }
-}
-
-// Change, comment, until.
-static void cells_write(FILE *page, const Correction *correction)
-{
-    char *change = NULL;
-    size_t length;
-    FILE *stream = open_memstream(&change, &length);
-    if (stream != NULL) {
-        change_write(stream, correction);
-        fclose(stream);
-    }
-    // Task and numbers are ours, the rest is the instructor's.
-    fprintf(page, "<td>%s</td><td>", change != NULL ? change : "");
-    html_message(page, correction->comment);
-    fputs("</td><td>", page);
-    html_line(page, correction->until);
-    fputs("</td></tr>\n", page);
-    free(change);
-}
-
-void corrections_rows_write(FILE *page, const Gradebook *gradebook, const Row *row)
-{
-    const Corrections *corrections = gradebook->corrections;
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        if (corrections->all[i].row == row) {
-            fputs("<tr>", page);
-            cells_write(page, &corrections->all[i]);
-        }
-    }
-}
-
-void corrections_class_write(FILE *page, const Gradebook *gradebook)
-{
-    const Corrections *corrections = gradebook->corrections;
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        const Correction *correction = &corrections->all[i];
-        fputs("<tr><td class=\"name\">", page);
-        if (correction->row != NULL) {
-            class_name_write(page, correction->row);
-        } else {
-            char name[ENTRY_NAME_BYTES];
-            participant_name(corrections->worksheet, correction->participant, name);
-            html_line(page, name);
-        }
-        fputs("</td>", page);
-        cells_write(page, correction);
-    }
-}
-
-const char *corrections_until(const Gradebook *gradebook, const Row *row,
-                              const Participant *participant)
-{
-    const Corrections *corrections = gradebook->corrections;
-    const char *last = "";
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        const Correction *correction = &corrections->all[i];
-        if (is_of(correction, row, participant) && strcmp(correction->until, last) > 0) {
-            last = correction->until;
-        }
-    }
-    return last;
 }

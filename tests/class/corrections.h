@@ -7,12 +7,15 @@
 
 #include "worksheet.h"
 
+// In the place of a task: the score as a whole, whose tasks keep their points.
+#define SCORE "score"
+
 // A line of the file: student, task (or a check's id), points, comment, until.
 typedef struct Correction {
     int line;        // in the file, the head being line 1
     const Row *row;  // whose it is; NULL: of the participant, who handed in nothing
     const Participant *participant;
-    char *task;         // a task's id; NULL: only a comment or an extension
+    char *task;         // a task's id, or SCORE; NULL: only a comment or an extension
     char *check;        // of that task; NULL: the task as a whole
     int max_points;     // of the check or the task
     int has_points;     // is a number of points given?

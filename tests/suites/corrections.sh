@@ -86,6 +86,9 @@ for day in 24.12.2026 2026-13-01 2026-02-30 2026-12-24x 12-24; do
 done
 check "a task and its check" refused 'line 3: line 2 changes the same points already' \
     23,gradient,12,, bob@example.org,gradient-padding,+1,,
+check "the score and a task of it" refused 'line 3: line 2 changes the same points already' \
+    23,score,12,, bob@example.org,gradient,+1,,
+check "more than the score can be" refused 'line 2: found 101 points, but score has 0 to 100' 23,score,101,,
 check "nothing but a name" refused 'line 2: found a student only' 23,,,,
 check "a line that is too short" refused 'line 3: found another number of columns than in the first' \
     23,gradient,1,, 23,gradient
@@ -147,6 +150,13 @@ check "and it was graded" test "$(n_graded "$out")" -eq 8
 check "without CHANGES" exits 0 run "$out" --moodle "$scratch/list.csv"
 check "the grader's points are back" test "$(value 22 .score)" = 100
 check "and no column speaks of corrections" test "$(grep -c 'score before' "$out/gradebook.csv")" -eq 0
+
+changes '22,score,0,see me,' 23,score,-3,,
+check "the score as a whole" exits 0 corrected
+check "is what the line says, and its tasks keep their points" \
+    test "$(value 22 '.score, .points.gradient, .score_before')" = "0 40 100"
+check "or changes by it" test "$(value 23 .score)" = $((bob - 3))
+check "the page says so" grep -q '>score: 100 to 0 (-100)<' "$out/class.html"
 
 # What was not graded has no points that could be corrected.
 mkdir "$class/Dora Roe_25_assignsubmission_file_"
