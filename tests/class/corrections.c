@@ -98,7 +98,8 @@ static int is_score(const Correction *correction)
     return correction->task != NULL && strcmp(correction->task, SCORE) == 0;
 }
 
-// Find the task or check of this id, or the score. Returns 0, or -1 where there is none, or when memory runs out.
+// Find the task or check of this id, or the score. Returns 0, or -1 where there is none, or when
+// memory runs out.
 static int task_find(const Manifest *manifest, const char *id, Correction *correction)
 {
     int total = 0;

@@ -12,13 +12,13 @@
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
 // FOLDER/submissions/SLUG to each entry, with `--commits` after it has asked Git for the times of
-// commits, and prints the slug, a tab and the name of each; `keys`
-// gives each its seed (class_keys.h); `check` reads what `write` will need, before all gradings;
-// `write` makes gradebook.csv, gradebook.json, class.html and class-slides.html in FOLDER of it, with `--names no`
-// also class-no-names.html, and says how the class did. Exit status: 0; 1 when somebody's work
-// could be lost, as the last line says (tally.h); 2 after one message. Read next: export_archive.h,
-// roster.h, class_keys.h, gradebook.h; grade_class.sh, which calls the first five. `feedback` packs
-// the reports for those whose they are (feedback.h).
+// commits, and prints the slug, a tab and the name of each; `keys` gives each its seed
+// (class_keys.h); `check` reads what `write` will need, before all gradings; `write` makes
+// gradebook.csv, gradebook.json, class.html and class-slides.html in FOLDER of it, with `--names
+// no` also class-no-names.html, and says how the class did; `feedback` packs the reports for those
+// whose they are (feedback.h). Exit status: 0; 1 when somebody's work could be lost, as the last
+// line says (tally.h); 2 after one message. Read next: export_archive.h, roster.h, class_keys.h,
+// gradebook.h; grade_class.sh, which calls the first five.
 #include "class_keys.h"
 #include "class_slides.h"
 #include "clean_text.h"
