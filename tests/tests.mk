@@ -2,7 +2,7 @@
 # the figures. The bench and fuzzing have files of their own. Nothing of this is in a handout.
 
 setup_for = demo
-AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
+AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class -I tests/copies
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
@@ -45,6 +45,8 @@ term: $(OUT)/tools/term  ## the labs of a term in one table: CLASSES="folder fol
 	    $(if $(EXCEL),--excel) -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 class-figures: $(OUT)/tools/term  ## where classes fail, by lab and check, without any names: CLASSES="folder folder ..." [OUTPUT=folder]
 	@$(classes_in); $(OUT)/tools/term figures -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
+
+include tests/copies/copies.mk
 
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 

@@ -52,7 +52,8 @@ Test(progress, a_line_says_what_is_done_and_for_how_long)
     expect_screen(screen, "", "not at once");
     now += 0.2;
     progress_show();
-    expect_screen(screen, "\r\033[Kchecking lit_color alone: task 2 of 3, 2 s", "after two seconds");
+    expect_screen(screen, "\r\033[Kchecking lit_color alone: task 2 of 3, 2 s",
+                  "after two seconds");
     now += 0.5;
     progress_show();
     expect_screen(screen, "", "not twice in a second");

@@ -1,0 +1,24 @@
+// All that is known about a class's answers that are alike, and how it is written down.
+#ifndef COPIES_ALIKE_H
+#define COPIES_ALIKE_H
+
+#include "pairs.h"
+
+typedef struct Alike {
+    HandedIn class;
+    Weights weights;
+    Pairs pairs;
+    const char *output;  // the folder that all goes into
+} Alike;
+
+// Do both authors of a pair have the form, and does it weigh anything?
+int is_shared(const Alike *alike, const Pair *pair, int id);
+
+// The page, for the instructor alone. Appears whole or not at all. Returns 0, or -1 after one
+// message on stderr.
+int copies_page(const Alike *alike, const char *path);
+
+// The same for programs. Returns as above.
+int copies_json(const Alike *alike, const char *path);
+
+#endif

@@ -1,0 +1,21 @@
+// The forms that a course gives its students, or has met before.
+#ifndef COPIES_GIVEN_H
+#define COPIES_GIVEN_H
+
+#include "forms.h"
+#include "manifest.h"
+
+typedef struct Given {
+    Forms forms;
+    int is_known;  // of a right or wrong answer for tests; else the course gives it to students
+} Given;
+
+// Read the skeleton's holes, the code on the lab's page, the solution's holes, and the known
+// answers (tests/right, tests/mutants). What is not there, as in a course without solutions, is
+// left out.
+//   given   out: *n_given of them; given_free() them
+// Returns 0, or -1 after one message on stderr.
+int given_read(const Manifest *manifest, Given **given, int *n_given);
+void given_free(Given *given, int n_given);
+
+#endif
