@@ -1,6 +1,8 @@
 # Which answers of a class are alike (tests/copies/README.md). Not in a handout.
 
-$(OUT)/tools/copies: $(call objects,$(wildcard tests/copies/*.c)) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/libcopies.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/copies/*.c)))
+	$(archive)
+$(OUT)/tools/copies: $(call objects,tests/copies/copies_tool.c) $(OUT)/libcopies.a $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
 grader: $(OUT)/tools/copies

@@ -42,26 +42,26 @@ static void facts_write(FILE *page, const Alike *alike)
             alike->class.n_authors, alike->class.n_without, pairs->n_compared, pairs->n_listed);
 }
 
-static void warning_write(FILE *page, const Alike *alike)
+// What an empty list would mean.
+static void reach_write(FILE *page, const Alike *alike)
 {
     const Pairs *pairs = &alike->pairs;
     const int n = alike->class.n_authors;
     fputs("<p class=\"message\">", page);
     if (n < PAIRS_MIN_AUTHORS) {
         fprintf(page,
-                "With %d authors nobody can say what is rare: no pair is listed for a class "
-                "of fewer than %d.",
+                "Found %d authors, expected %d or more: among so few nobody can say what is rare.",
                 n, PAIRS_MIN_AUTHORS);
     } else if (pairs_are_too_few(&alike->class, pairs)) {
         fprintf(page,
-                "<b>These answers are too short to tell.</b> Only %d of %d authors wrote "
-                "enough that few others wrote. For all others this page would not see a "
-                "copy, so an empty list says nothing.",
+                "<b>These answers are too short to tell.</b> Only %d of %d authors wrote enough "
+                "that few others wrote. The page says nothing about the others: two of them may "
+                "have the same text and are not listed.",
                 pairs->n_tellable, n);
     } else {
         fprintf(page,
-                "%d of %d authors wrote enough that few others wrote: if somebody had "
-                "copied all of it, it would be seen here. For the other %d nobody can tell.",
+                "%d of %d authors wrote enough that few others wrote: a second submission with "
+                "the same text would be listed. About the other %d the page says nothing.",
                 pairs->n_tellable, n, n - pairs->n_tellable);
     }
     fputs("</p>\n", page);
@@ -75,7 +75,7 @@ static void head_write(FILE *page, const Alike *alike)
     html_line(page, alike->class.manifest.title);
     fputs(": answers that are alike</h1>\n", page);
     facts_write(page, alike);
-    warning_write(page, alike);
+    reach_write(page, alike);
     fputs(
         "</header>\n<div class=\"card reasons\">\n"
         "<p><b>Look at these pairs, and talk to their authors.</b> The page counts what is alike. "
