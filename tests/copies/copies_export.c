@@ -152,7 +152,7 @@ int copies_export(const Alike *alike)
 void copies_export_print(const Alike *alike, OtherTool tool)
 {
     static const char *const calls[] = {
-        [OTHER_JPLAG] = "java -jar jplag.jar -l cpp -p c -t 5 -bc base answers",
+        [OTHER_JPLAG] = "java -jar jplag.jar -l cpp -p .c -t 5 -bc base answers",
         [OTHER_DOLOS] = "dolos run -l c -k 8 -w 4 --ignore base/answers.c info.csv",
         [OTHER_MOSS] = "perl moss.pl -l c -d -b base/answers.c answers/*/answers.c",
     };
@@ -160,6 +160,7 @@ void copies_export_print(const Alike *alike, OtherTool tool)
            "folder:\n    %s\n",
            alike->output, alike->output, calls[tool]);
     if (tool == OTHER_MOSS) {
-        printf("MOSS is a service in another country: it gets all answers, and no names.\n");
+        printf("MOSS runs at Stanford University. It gets all answers, with their comments, under "
+               "numbers.\n");
     }
 }

@@ -135,6 +135,41 @@ static void table_write(FILE *page, const Alike *alike)
     fputs("</tbody>\n</table></div>\n", page);
 }
 
+// Are all statements of the author given by the course?
+static int author_is_given(const Alike *alike, const Author *author)
+{
+    for (int t = 0; t < alike->class.manifest.n_tasks; t++) {
+        const Forms *forms = &author->answers[t].forms;
+        for (int i = 0; i < forms->n; i++) {
+            if (forms->all[i].kind == FORM_STATEMENT &&
+                !alike->weights.all[forms->all[i].id].is_given) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+// Whose text says nothing: it is what the course gives.
+static void given_write(FILE *page, const Alike *alike)
+{
+    int n = 0;
+    for (int i = 0; i < alike->class.n_authors; i++) {
+        if (!author_is_given(alike, &alike->class.authors[i])) {
+            continue;
+        }
+        fputs(n++ == 0
+                  ? "<h2 class=\"section\" id=\"given\">Nothing of their own</h2>\n"
+                    "<p class=\"soft\">All statements of these authors are in the solution, which "
+                    "is public, or on the lab's page. Many find the same by themselves: nobody "
+                    "can tell.</p>\n<div class=\"card reasons\"><p>"
+                  : " &middot; ",
+              page);
+        name_write(page, alike, &alike->class.authors[i]);
+    }
+    fputs(n > 0 ? "</p></div>\n" : "", page);
+}
+
 // ---- Side by side ----------------------------------------------------------------------------
 
 int is_shared(const Alike *alike, const Pair *pair, int id)
@@ -255,6 +290,7 @@ int copies_page(const Alike *alike, const char *path)
     html_page_begin(output.file, title);
     head_write(output.file, alike);
     table_write(output.file, alike);
+    given_write(output.file, alike);
     if (alike->pairs.n_listed > 0) {
         fputs("<h2 class=\"section\" id=\"side-by-side\">Side by side</h2>\n<p class=\"soft\">"
               "&#9679; marks what only these two have, &#9675; what no more than a quarter of the "

@@ -2,8 +2,8 @@
 //
 //     copies [--build BUILD] [--export jplag|dolos|moss] LAB FOLDER OUTPUT
 //
-// FOLDER has roster.json and submissions/SLUG: of a class that was graded, or only listed (gradebook
-// roster). Writes OUTPUT/copies.html and copies.json, and prints the first pairs. With --export
+// FOLDER has roster.json and submissions/SLUG, of a class that was graded, or only listed
+// (gradebook roster). Writes OUTPUT/copies.html and copies.json, and prints the first pairs. With --export
 // the answers are also written for another tool (copies_export.c). Exit status: 0, or 2 after one
 // message. Read next: handed_in.h, forms.h, weights.h, pairs.h.
 #include "alike.h"
@@ -69,11 +69,13 @@ static int alike_write(const CopiesOptions *options, char **words)
         complain("copies: --export: found \"%s\", expected jplag, dolos or moss", options->export);
         return EXIT_FAULT;
     }
-    const int failed = handed_in_read(options->build, words[0], words[1], &alike.class) != 0 ||
-                       weights_make(&alike.class, &alike.weights) != 0 ||
-                       pairs_find(&alike.class, &alike.weights, &alike.pairs) != 0 ||
-                       copies_page(&alike, page) != 0 || copies_json(&alike, json) != 0 ||
-                       (options->export != NULL && copies_export(&alike) != 0);
+    int failed = handed_in_read(options->build, words[0], words[1], &alike.class) != 0;
+    if (!failed) {
+        weights_make(&alike.class, &alike.weights);
+        pairs_find(&alike.class, &alike.weights, &alike.pairs);
+        failed = copies_page(&alike, page) != 0 || copies_json(&alike, json) != 0 ||
+                 (options->export != NULL && copies_export(&alike) != 0);
+    }
     if (!failed) {
         summary_print(&alike, page);
         if (options->export != NULL) {

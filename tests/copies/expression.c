@@ -1,6 +1,7 @@
 // Operator precedence parsing into one order (see expression.h).
 #include "expression.h"
 
+#include "form_list.h"
 #include "message.h"
 
 #include <ctype.h>
@@ -8,7 +9,7 @@
 #include <string.h>
 
 // Deeper brackets are read as they are written.
-enum { MAX_DEPTH = 100, LIST_MAX = EXPRESSION_MAX_WORDS };
+enum { MAX_DEPTH = 100 };
 
 typedef struct Parser {
     const SourceWord *words;
@@ -103,68 +104,6 @@ static char *word_form(const Parser *parser, const SourceWord *word)
     }
 }
 
-// ---- Lists -----------------------------------------------------------------------------------
-
-// Operands of one operator, or arguments; each owned.
-typedef struct List {
-    char **items;
-    int n;
-} List;
-
-static void list_add(List *list, char *item)
-{
-    if ((list->n & (list->n - 1)) == 0) {
-        const size_t room = list->n == 0 ? 1 : 2 * (size_t)list->n;
-        char **items = realloc(list->items, room * sizeof *items);
-        if (items == NULL) {
-            abort();
-        }
-        list->items = items;
-    }
-    list->items[list->n++] = item;
-}
-
-static int items_compare(const void *left, const void *right)
-{
-    return strcmp(*(char *const *)left, *(char *const *)right);
-}
-
-// "name(item,item)". Releases the list.
-static char *list_form(const char *name, List *list, int is_sorted)
-{
-    size_t n_bytes = strlen(name) + 3;
-    if (is_sorted && list->n > 1) {
-        qsort(list->items, (size_t)list->n, sizeof *list->items, items_compare);
-    }
-    for (int i = 0; i < list->n; i++) {
-        n_bytes += strlen(list->items[i]) + 1;
-    }
-    char *form = malloc(n_bytes);
-    if (form == NULL) {
-        abort();
-    }
-    char *end = stpcpy(stpcpy(form, name), "(");
-    for (int i = 0; i < list->n; i++) {
-        end = stpcpy(stpcpy(end, i > 0 ? "," : ""), list->items[i]);
-        free(list->items[i]);
-    }
-    stpcpy(end, ")");
-    free(list->items);
-    *list = (List){0};
-    return form;
-}
-
-// "name(first,second)"; takes both over. second: NULL for none.
-static char *form_of(const char *name, char *first, char *second, int is_sorted)
-{
-    List list = {0};
-    list_add(&list, first);
-    if (second != NULL) {
-        list_add(&list, second);
-    }
-    return list_form(name, &list, is_sorted);
-}
-
 // ---- Operands --------------------------------------------------------------------------------
 
 static char *binary_read(Parser *parser, int lowest);
@@ -172,15 +111,15 @@ static char *binary_read(Parser *parser, int lowest);
 // Items up to the closing sign, which is taken.
 static char *items_read(Parser *parser, const char *name, const char *closing)
 {
-    List list = {0};
+    FormList list = {0};
     while (parser->at < parser->end && !take_sign(parser, closing)) {
         const int before = parser->at;
         if (!take_sign(parser, ",")) {
-            list_add(&list, binary_read(parser, 1));
+            form_list_add(&list, binary_read(parser, 1));
         }
         parser->at += parser->at == before;  // a sign that nothing begins with
     }
-    return list_form(name, &list, 0);
+    return form_list_text(name, &list, 0);
 }
 
 // After "(": does a type stand there, and something that it is a cast of behind ")"?
@@ -222,20 +161,15 @@ static char *bracket_read(Parser *parser)
         char *type = type_read(parser);
         return form_of("cast", type, unary_read(parser), 0);
     }
-    List list = {0};
+    FormList list = {0};
     while (parser->at < parser->end && !take_sign(parser, ")")) {
         const int before = parser->at;
         if (!take_sign(parser, ",")) {
-            list_add(&list, binary_read(parser, 1));
+            form_list_add(&list, binary_read(parser, 1));
         }
         parser->at += parser->at == before;
     }
-    if (list.n == 1) {  // brackets for nothing
-        char *only = list.items[0];
-        free(list.items);
-        return only;
-    }
-    return list_form("", &list, 0);
+    return form_list_bare(&list);  // brackets around one thing say nothing
 }
 
 static char *primary_read(Parser *parser)
@@ -357,27 +291,27 @@ static char *chain_read(Parser *parser, char *first, int level)
     const char *sign = word_at(parser, 0)->text;
     const int is_sum = strcmp(sign, "-") == 0 || strcmp(sign, "+") == 0;
     const char *name = is_sum ? "+" : sign;
-    List list = {0};
-    list_add(&list, first);
+    FormList list = {0};
+    form_list_add(&list, first);
     while (level_of(word_at(parser, 0)) == level &&
            (is_sum || strcmp(word_at(parser, 0)->text, sign) == 0)) {
         const int is_minus = next_is(parser, "-");
         parser->at++;
         char *operand = binary_read(parser, level + 1);
-        list_add(&list, is_minus ? form_of("-", operand, NULL, 0) : operand);
+        form_list_add(&list, is_minus ? form_of("-", operand, NULL, 0) : operand);
     }
-    return list_form(name, &list, 1);
+    return form_list_text(name, &list, 1);
 }
 
 static char *choice_read(Parser *parser, char *condition)
 {
     parser->at++;
-    List list = {0};
-    list_add(&list, condition);
-    list_add(&list, binary_read(parser, LEVEL_ASSIGN));
+    FormList list = {0};
+    form_list_add(&list, condition);
+    form_list_add(&list, binary_read(parser, LEVEL_ASSIGN));
     take_sign(parser, ":");
-    list_add(&list, binary_read(parser, LEVEL_ASSIGN));
-    return list_form("?", &list, 0);
+    form_list_add(&list, binary_read(parser, LEVEL_ASSIGN));
+    return form_list_text("?", &list, 0);
 }
 
 // An expression of operators that bind at least as strongly as `lowest`.
@@ -417,21 +351,16 @@ static char *binary_read(Parser *parser, int lowest)
 char *expression_form(const SourceWord words[], int from, int to, const OwnNames *own)
 {
     Parser parser = {words, from, to, 0, own};
-    List list = {0};
+    FormList list = {0};
     while (parser.at < to) {
         if (to - from > EXPRESSION_MAX_WORDS) {
-            list_add(&list, word_form(&parser, word_at(&parser, 0)));
+            form_list_add(&list, word_form(&parser, word_at(&parser, 0)));
             parser.at++;
             continue;
         }
         const int before = parser.at;
-        list_add(&list, binary_read(&parser, LEVEL_COMMA));
+        form_list_add(&list, binary_read(&parser, LEVEL_COMMA));
         parser.at += parser.at == before;  // a sign that nothing begins with
     }
-    if (list.n == 1) {
-        char *only = list.items[0];
-        free(list.items);
-        return only;
-    }
-    return list_form("", &list, 0);
+    return form_list_bare(&list);
 }

@@ -1,7 +1,9 @@
 // Reading the forms of an answer, statement by statement (see forms.h).
 #include "forms.h"
 
+#include "complain.h"
 #include "expression.h"
+#include "form_list.h"
 #include "message.h"
 #include "remarks.h"
 
@@ -22,14 +24,7 @@ void forms_add(Forms *forms, FormKind kind, char *text, int first_line, int last
         free(text);
         return;
     }
-    if ((forms->n & (forms->n - 1)) == 0) {
-        const size_t room = forms->n == 0 ? 1 : 2 * (size_t)forms->n;
-        Form *all = realloc(forms->all, room * sizeof *all);
-        if (all == NULL) {
-            abort();
-        }
-        forms->all = all;
-    }
+    forms->all = array_grow(forms->all, forms->n, sizeof *forms->all);
     forms->all[forms->n++] = (Form){kind, text, first_line, last_line, -1};
 }
 
@@ -81,11 +76,7 @@ static void own_name_add(Splitter *splitter, const SourceWord *name)
     if (own_names_have(own, name) || own->n >= EXPRESSION_MAX_WORDS) {
         return;
     }
-    char **names = realloc(own->names, ((size_t)own->n + 1) * sizeof *names);
-    if (names == NULL) {
-        abort();
-    }
-    own->names = names;
+    own->names = array_grow(own->names, own->n, sizeof *own->names);
     own->names[own->n++] = message_new("%s", name->text);
 }
 
@@ -203,7 +194,8 @@ Forms forms_read(const char *answer)
     Splitter splitter = {0};
     SourceWord *words = source_words(answer, &splitter.n);
     if (words == NULL) {
-        abort();
+        complain("copies: out of memory");
+        exit(2);
     }
     splitter.words = words;
     for (splitter.reads_names = 1; splitter.reads_names >= 0; splitter.reads_names--) {

@@ -1,7 +1,7 @@
 // Reading what the course gives (see given.h).
 #include "given.h"
 
-#include "complain.h"
+#include "form_list.h"
 #include "holes.h"
 #include "path.h"
 #include "skeleton.h"
@@ -15,7 +15,6 @@
 typedef struct Collection {
     Given *all;
     int n;
-    int failed;
 } Collection;
 
 // Add the forms of a text, which may be NULL.
@@ -24,12 +23,7 @@ static void text_add(Collection *given, const char *text, int is_known)
     if (text == NULL) {
         return;
     }
-    Given *all = realloc(given->all, ((size_t)given->n + 1) * sizeof *all);
-    if (all == NULL) {
-        given->failed = 1;
-        return;
-    }
-    given->all = all;
+    given->all = array_grow(given->all, given->n, sizeof *given->all);
     given->all[given->n++] = (Given){forms_read(text), is_known};
 }
 
@@ -85,7 +79,7 @@ static void known_add(Collection *given, const char *lab)
     globfree(&found);
 }
 
-int given_read(const Manifest *manifest, Given **given, int *n_given)
+Given *given_read(const Manifest *manifest, int *n_given)
 {
     Collection all = {0};
     char page[PATH_MAX];
@@ -95,12 +89,8 @@ int given_read(const Manifest *manifest, Given **given, int *n_given)
     path_make(page, "labs/%s/README.md", manifest->lab);
     page_add(&all, page);
     known_add(&all, manifest->lab);
-    *given = all.all;
     *n_given = all.n;
-    if (all.failed) {
-        complain("copies: out of memory");
-    }
-    return all.failed ? -1 : 0;
+    return all.all;
 }
 
 void given_free(Given *given, int n_given)

@@ -13,9 +13,8 @@ typedef struct Given {
 // Read the skeleton's holes, the code on the lab's page, the solution's holes, and the known
 // answers (tests/right, tests/mutants). What is not there, as in a course without solutions, is
 // left out.
-//   given   out: *n_given of them; given_free() them
-// Returns 0, or -1 after one message on stderr.
-int given_read(const Manifest *manifest, Given **given, int *n_given);
+// Returns *n_given of them; given_free() them. Running out of memory ends the program.
+Given *given_read(const Manifest *manifest, int *n_given);
 void given_free(Given *given, int n_given);
 
 #endif

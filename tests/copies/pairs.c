@@ -1,7 +1,7 @@
 // Comparing any two authors (see pairs.h).
 #include "pairs.h"
 
-#include "complain.h"
+#include "form_list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,18 +25,14 @@ static int ids_compare(const void *left, const void *right)
     return (*a > *b) - (*a < *b);
 }
 
-// Returns 0, or -1 where memory runs out.
-static int ids_collect(const HandedIn *class, const Author *author, const Weights *weights,
-                       Ids *ids)
+static void ids_collect(const HandedIn *class, const Author *author, const Weights *weights,
+                        Ids *ids)
 {
     int n = 0, n_once = 0;
     for (int t = 0; t < class->manifest.n_tasks; t++) {
         n += author->answers[t].forms.n;
     }
-    *ids = (Ids){.all = calloc((size_t)n + 1, sizeof *ids->all)};
-    if (ids->all == NULL) {
-        return -1;
-    }
+    *ids = (Ids){.all = memory_take(((size_t)n + 1) * sizeof *ids->all)};
     for (int t = 0; t < class->manifest.n_tasks; t++) {
         const Forms *forms = &author->answers[t].forms;
         for (int i = 0; i < forms->n; i++) {
@@ -51,7 +47,6 @@ static int ids_collect(const HandedIn *class, const Author *author, const Weight
         }
     }
     ids->n = n_once;
-    return 0;
 }
 
 static Pair pair_compare(const Ids *a, const Ids *b, const Weights *weights)
@@ -119,35 +114,32 @@ static void level_set(const HandedIn *class, const Ids *ids, Pairs *pairs)
         pairs->n_listed++;
     }
     for (int i = 0; i < class->n_authors; i++) {
+        pairs->own_nats[i] = ids[i].nats;
         pairs->n_tellable += ids[i].nats >= pairs->level;
     }
 }
 
-int pairs_find(const HandedIn *class, const Weights *weights, Pairs *pairs)
+void pairs_find(const HandedIn *class, const Weights *weights, Pairs *pairs)
 {
     const size_t n = (size_t)class->n_authors;
-    Ids *ids = calloc(n + 1, sizeof *ids);
-    *pairs = (Pairs){.all = calloc(PAIRS_ROOM, sizeof *pairs->all)};
-    int failed = ids == NULL || pairs->all == NULL;
-    for (size_t i = 0; i < n && !failed; i++) {
-        failed = ids_collect(class, &class->authors[i], weights, &ids[i]) != 0;
+    Ids *ids = memory_take((n + 1) * sizeof *ids);
+    *pairs = (Pairs){.all = memory_take(PAIRS_ROOM * sizeof *pairs->all),
+                     .own_nats = memory_take((n + 1) * sizeof *pairs->own_nats)};
+    for (size_t i = 0; i < n; i++) {
+        ids_collect(class, &class->authors[i], weights, &ids[i]);
     }
-    if (!failed) {
-        all_compare(class, weights, ids, pairs);
-        level_set(class, ids, pairs);
-    } else {
-        complain("copies: out of memory");
-    }
-    for (size_t i = 0; ids != NULL && i < n; i++) {
+    all_compare(class, weights, ids, pairs);
+    level_set(class, ids, pairs);
+    for (size_t i = 0; i < n; i++) {
         free(ids[i].all);
     }
     free(ids);
-    return failed ? -1 : 0;
 }
 
 void pairs_free(Pairs *pairs)
 {
     free(pairs->all);
+    free(pairs->own_nats);
     *pairs = (Pairs){0};
 }
 

@@ -22,14 +22,14 @@ typedef struct Pairs {
     Pair *all;  // the most alike first, PAIRS_KEPT at most
     int n;
     int n_compared;
-    double level;    // a pair is listed from this score on
-    int n_listed;    // those at the beginning, PAIRS_LISTED at most
-    int n_tellable;  // authors whose own forms weigh enough: if all were copied, it would be seen
+    double level;      // a pair is listed from this score on
+    int n_listed;      // those at the beginning, PAIRS_LISTED at most
+    double *own_nats;  // of each author: what all forms weigh
+    int n_tellable;  // authors whose forms weigh as much as the level: a second text would be seen
 } Pairs;
 
-// Compare any two authors. Returns 0, or -1 after one message on stderr. Release with pairs_free()
-// in either case.
-int pairs_find(const HandedIn *class, const Weights *weights, Pairs *pairs);
+// Compare any two authors. Release with pairs_free(). Running out of memory ends the program.
+void pairs_find(const HandedIn *class, const Weights *weights, Pairs *pairs);
 void pairs_free(Pairs *pairs);
 
 // Are the answers of this class so short, or so much what everybody writes, that the list says

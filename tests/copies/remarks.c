@@ -1,6 +1,7 @@
 // Finding comments between the words of a source (see remarks.h).
 #include "remarks.h"
 
+#include "form_list.h"
 #include "source_words.h"
 
 #include <ctype.h>
@@ -42,10 +43,7 @@ static int count_lines(const char *from, const char *to)
 
 static void remark_add(Forms *forms, const char *start, const char *end, int line)
 {
-    char *folded = malloc((size_t)(end - start) + 2);
-    if (folded == NULL) {
-        abort();
-    }
+    char *folded = memory_take((size_t)(end - start) + 2);
     const int n_words = words_fold(start, end, folded);
     if (n_words < REMARK_MIN_WORDS) {
         free(folded);

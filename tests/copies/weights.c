@@ -1,7 +1,7 @@
 // Numbering and weighing forms (see weights.h).
 #include "weights.h"
 
-#include "complain.h"
+#include "form_list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -85,20 +85,13 @@ static double nats_of(const Weight *weight, int n_authors)
            (weight->form->kind == FORM_NAME ? NAME_SHARE : 1);
 }
 
-int weights_make(HandedIn *class, Weights *weights)
+void weights_make(HandedIn *class, Weights *weights)
 {
     *weights = (Weights){0};
-    if (given_read(&class->manifest, &weights->given, &weights->n_given) != 0) {
-        return -1;
-    }
+    weights->given = given_read(&class->manifest, &weights->n_given);
     const int n = all_own(class, weights, NULL);
-    Owned *owned = calloc((size_t)n + 1, sizeof *owned);
-    weights->all = calloc((size_t)n + 1, sizeof *weights->all);
-    if (owned == NULL || weights->all == NULL) {
-        complain("copies: out of memory");
-        free(owned);
-        return -1;
-    }
+    Owned *owned = memory_take(((size_t)n + 1) * sizeof *owned);
+    weights->all = memory_take(((size_t)n + 1) * sizeof *weights->all);
     all_own(class, weights, owned);
     qsort(owned, (size_t)n, sizeof *owned, owned_compare);
     number_all(weights, owned, n);
@@ -106,7 +99,6 @@ int weights_make(HandedIn *class, Weights *weights)
     for (int i = 0; i < weights->n; i++) {
         weights->all[i].nats = nats_of(&weights->all[i], class->n_authors);
     }
-    return 0;
 }
 
 void weights_free(Weights *weights)

@@ -23,9 +23,9 @@ typedef struct Weights {
     int n_given;
 } Weights;
 
-// Number the forms of all answers, so that alike ones have one id, and weigh them. Returns 0, or
-// -1 after one message on stderr. Release with weights_free().
-int weights_make(HandedIn *class, Weights *weights);
+// Number the forms of all answers, so that alike ones have one id, and weigh them. Release with
+// weights_free(). Running out of memory ends the program.
+void weights_make(HandedIn *class, Weights *weights);
 void weights_free(Weights *weights);
 
 #endif
