@@ -8,8 +8,14 @@ typedef struct Alike {
     HandedIn class;
     Weights weights;
     Pairs pairs;
-    const char *output;  // the folder that all goes into
+    const char
+        *reports;  // the folder of the page, if it may have students/SLUG/report.html; or NULL
 } Alike;
+
+// Read a class's answers of one lab, and compare them (handed_in.h). Returns 0, or -1 after one
+// message on stderr. Release with alike_free() in either case.
+int alike_read(const char *build, const char *lab, const char *folder, Alike *alike);
+void alike_free(Alike *alike);
 
 // Do both authors of a pair have the form, and does it weigh anything?
 int is_shared(const Alike *alike, const Pair *pair, int id);

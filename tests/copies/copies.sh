@@ -96,4 +96,4 @@ if [ -n "$submissions" ]; then
     fi
     "$build/tools/gradebook" roster "${number#0}" "$submissions" "$class" >/dev/null || exit 2
 fi
-"$build/tools/copies" --build "$build" ${other:+--export "$other"} -- "$lab" "$class" "$output"
+"$build/tools/copies" --build "$build" ${other:+--export "$other"} -- lab "$lab" "$class" "$output"

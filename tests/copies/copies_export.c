@@ -112,11 +112,11 @@ static int info_write(const Alike *alike, const char *folder)
     return output_file_commit(&output);
 }
 
-static int names_write(const Alike *alike)
+static int names_write(const Alike *alike, const char *folder)
 {
     char path[PATH_MAX];
     OutputFile output;
-    path_make(path, "%s/copies-names.csv", alike->output);
+    path_make(path, "%s/copies-names.csv", folder);
     if (output_file_open(&output, path) != 0) {
         return -1;
     }
@@ -132,10 +132,10 @@ static int names_write(const Alike *alike)
 
 // ---- All -------------------------------------------------------------------------------------
 
-int copies_export(const Alike *alike)
+int copies_export(const Alike *alike, const char *output)
 {
     char folder[PATH_MAX], answers[PATH_MAX], base[PATH_MAX];
-    path_make(folder, "%s/copies-export", alike->output);
+    path_make(folder, "%s/copies-export", output);
     path_make(answers, "%s/answers", folder);
     path_make(base, "%s/base", folder);
     if (folder_remove(folder) != 0 && errno != ENOENT) {
@@ -145,11 +145,12 @@ int copies_export(const Alike *alike)
     for (int i = 1; result == 0 && i <= alike->class.n_authors; i++) {
         result = author_write(alike, folder, i);
     }
-    return result == 0 ? base_write(alike, folder) | info_write(alike, folder) | names_write(alike)
-                       : -1;
+    return result == 0
+               ? base_write(alike, folder) | info_write(alike, folder) | names_write(alike, output)
+               : -1;
 }
 
-void copies_export_print(const Alike *alike, OtherTool tool)
+void copies_export_print(const char *output, OtherTool tool)
 {
     static const char *const calls[] = {
         [OTHER_JPLAG] = "java -jar jplag.jar -l cpp -p .c -t 5 -bc base answers",
@@ -158,7 +159,7 @@ void copies_export_print(const Alike *alike, OtherTool tool)
     };
     printf("Answers under numbers: %s/copies-export (names: %s/copies-names.csv). Run in that "
            "folder:\n    %s\n",
-           alike->output, alike->output, calls[tool]);
+           output, output, calls[tool]);
     if (tool == OTHER_MOSS) {
         printf("MOSS runs at Stanford University. It gets all answers, with their comments, under "
                "numbers.\n");

@@ -14,9 +14,9 @@ int other_tool_find(const char *name, OtherTool *tool);
 
 // Make anew OUTPUT/copies-export and OUTPUT/copies-names.csv. Returns 0, or -1 after one message on
 // stderr.
-int copies_export(const Alike *alike);
+int copies_export(const Alike *alike, const char *output);
 
 // Print how the tool is called for it.
-void copies_export_print(const Alike *alike, OtherTool tool);
+void copies_export_print(const char *output, OtherTool tool);
 
 #endif

@@ -1,21 +1,28 @@
 // copies: which answers of a class are alike.
 //
-//     copies [--build BUILD] [--export jplag|dolos|moss] LAB FOLDER OUTPUT
+//     copies [--build BUILD] [--export jplag|dolos|moss] lab LAB FOLDER OUTPUT
+//     copies [--build BUILD] term OUTPUT FOLDER...
 //
 // FOLDER has roster.json and submissions/SLUG, of a class that was graded, or only listed
-// (gradebook roster). Writes OUTPUT/copies.html and copies.json, and prints the first pairs. With --export
-// the answers are also written for another tool (copies_export.c). Exit status: 0, or 2 after one
-// message. Read next: handed_in.h, forms.h, weights.h, pairs.h.
+// (gradebook roster). `lab` writes OUTPUT/copies.html and copies.json, and prints the first pairs.
+// With --export the answers are also written for another tool (copies_export.h). `term` adds the
+// pairs of several graded labs, and writes copies-term.html and copies-term.json. Exit status: 0,
+// or 2 after one message. Read next: alike.h, copies_term.h.
 #include "alike.h"
 #include "clean_text.h"
 #include "complain.h"
 #include "copies_export.h"
+#include "copies_term.h"
+#include "message.h"
 #include "option_table.h"
 #include "path.h"
 
+#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
 enum { EXIT_WRITTEN = 0, EXIT_FAULT = 2 };
 
@@ -29,7 +36,9 @@ typedef struct CopiesOptions {
 
 static int usage(void)
 {
-    fputs("usage: copies [--build BUILD] [--export jplag|dolos|moss] LAB FOLDER OUTPUT\n", stderr);
+    fputs("usage: copies [--build BUILD] [--export jplag|dolos|moss] lab LAB FOLDER OUTPUT\n"
+          "       copies [--build BUILD] term OUTPUT FOLDER...\n",
+          stderr);
     return EXIT_FAULT;
 }
 
@@ -58,33 +67,64 @@ static void summary_print(const Alike *alike, const char *page)
            alike->class.n_authors, alike->class.n_without, pairs->n_listed, page);
 }
 
-static int alike_write(const CopiesOptions *options, char **words)
+static int lab_look(const CopiesOptions *options, const char *lab, const char *folder,
+                    const char *output)
 {
-    Alike alike = {.output = words[2]};
+    Alike alike;
     char page[PATH_MAX], json[PATH_MAX];
-    path_make(page, "%s/copies.html", alike.output);
-    path_make(json, "%s/copies.json", alike.output);
     OtherTool tool = OTHER_JPLAG;
     if (options->export != NULL && other_tool_find(options->export, &tool) != 0) {
         complain("copies: --export: found \"%s\", expected jplag, dolos or moss", options->export);
         return EXIT_FAULT;
     }
-    int failed = handed_in_read(options->build, words[0], words[1], &alike.class) != 0;
-    if (!failed) {
-        weights_make(&alike.class, &alike.weights);
-        pairs_find(&alike.class, &alike.weights, &alike.pairs);
-        failed = copies_page(&alike, page) != 0 || copies_json(&alike, json) != 0 ||
-                 (options->export != NULL && copies_export(&alike) != 0);
-    }
+    path_make(page, "%s/copies.html", output);
+    path_make(json, "%s/copies.json", output);
+    int failed = alike_read(options->build, lab, folder, &alike) != 0;
+    alike.reports = output;
+    failed = failed || copies_page(&alike, page) != 0 || copies_json(&alike, json) != 0 ||
+             (options->export != NULL && copies_export(&alike, output) != 0);
     if (!failed) {
         summary_print(&alike, page);
         if (options->export != NULL) {
-            copies_export_print(&alike, tool);
+            copies_export_print(output, tool);
         }
     }
-    pairs_free(&alike.pairs);
-    weights_free(&alike.weights);
-    handed_in_free(&alike.class);
+    alike_free(&alike);
+    return failed ? EXIT_FAULT : EXIT_WRITTEN;
+}
+
+static void term_print(const AlikeTerm *all, const char *page)
+{
+    for (int i = 0; i < all->n_listed && i < MOST_PRINTED; i++) {
+        const TermPair *pair = &all->pairs[i];
+        char *first = line_clean(all->term.persons[pair->labs->first].name);
+        char *second = line_clean(all->term.persons[pair->labs->second].name);
+        printf("look at \"%s\" and \"%s\": %d lab%s, score %.1f\n", first, second, pair->n_labs,
+               plural((unsigned)pair->n_labs), pair->score);
+        free(first), free(second);
+    }
+    printf("%d persons, %d labs; %d pairs to look at: see %s\n", all->term.n_persons,
+           all->term.n_labs, all->n_listed, page);
+}
+
+static int term_look(const CopiesOptions *options, const char *output, char *const *folders,
+                     int n_folders)
+{
+    AlikeTerm all;
+    char page[PATH_MAX], json[PATH_MAX];
+    path_make(page, "%s/copies-term.html", output);
+    path_make(json, "%s/copies-term.json", output);
+    int failed = alike_term_read(options->build, folders, n_folders, &all) != 0;
+    // Whoever else has an account here has no business with others' answers.
+    if (!failed && mkdir(output, 0770) != 0 && errno != EEXIST) {
+        complain("copies: %s: %s", output, strerror(errno));
+        failed = 1;
+    }
+    failed = failed || copies_term_page(&all, page) != 0 || copies_term_json(&all, json) != 0;
+    if (!failed) {
+        term_print(&all, page);
+    }
+    alike_term_free(&all);
     return failed ? EXIT_FAULT : EXIT_WRITTEN;
 }
 
@@ -104,5 +144,12 @@ int main(int argc, char **argv)
     if (result != OPTIONS_RUN) {
         return result == OPTIONS_DONE ? usage() : EXIT_FAULT;
     }
-    return argc - optind == 3 ? alike_write(&options, argv + optind) : usage();
+    argv += optind, argc -= optind;
+    if (argc == 4 && strcmp(argv[0], "lab") == 0) {
+        return lab_look(&options, argv[1], argv[2], argv[3]);
+    }
+    if (argc >= 3 && strcmp(argv[0], "term") == 0) {
+        return term_look(&options, argv[1], argv + 2, argc - 2);
+    }
+    return usage();
 }

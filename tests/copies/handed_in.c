@@ -97,7 +97,9 @@ static int entry_read(HandedIn *class, const Workshop *all, const char *folder,
     path_make(workshop.folder, "%s/%s", all->folder, entrant->slug);
     path_make(staged, "%s/%s/staged", all->folder, entrant->slug);
     if (access(path, F_OK) != 0) {
-        complain("copies: %s: leads to nothing that is there: give SUBMISSIONS=", path);
+        complain(
+            "copies: %s: leads to nothing: the submission was moved or removed; give SUBMISSIONS=",
+            path);
         return -1;
     }
     if (make_folder(workshop.folder) != 0 || make_closed_folder(staged) != 0) {

@@ -223,6 +223,45 @@ rm -r "$class/twice"
 check "attempts of one student" look 0 --lab 03 --submissions "$class"
 check "are one author" is "$(jq -c '[.authors, (.pairs | length)]' "$out/copies.json")" '[6,0]'
 
+# ---- Over several labs ----------------------------------------------------------------------------
+
+# In each of two labs all are alike only a little, and one pair is alike in both. A student has another name
+# and the same address.
+graded_as() { # FOLDER LAB: the class, as if it had been graded
+    rm -rf "${scratch:?}/$1"
+    mkdir "$scratch/$1"
+    "$build/tools/gradebook" roster "${2%%-*}" "$class" "$scratch/$1" >"$scratch/$1/names"
+    jq --arg lab "$2" '{lab: $lab, title: "A lab", max_score: 100, tasks: [], without: [], students: [.entries[] |
+        {id, name, number, attempt, entry, status: "graded", score: 50, counts: true,
+        owners: [{name, id_number: "", address: (if (.name | startswith("Ada")) then "ada@example.org" else "" end)}]}]}' \
+        "$scratch/$1/roster.json" >"$scratch/$1/gradebook.json"
+}
+several() { # LAB ADA
+    rm -rf "$class"
+    for i in 1 2 3 4 5 6 7 8; do hand_in "innocent $i" "$1" innocent $i "$1"; done
+    hand_in "$2" "$1" own third 2 "$1"
+    hand_in "Grace Hopper" "$1" own third-reordered 2 "$1"
+}
+term_of() { "$build/tools/copies" --build "$build" -- term "$scratch/term" "$scratch/g5" "$scratch/g3" >"$scratch/said" 2>&1; }
+class=$scratch/class03
+several 03-kdtree-2d-render "Ada Lovelace"
+hand_in "only here" "$lab" own first 0 "$lab"
+graded_as g3 "$lab"
+class=$scratch/class05
+several 05-spheres "Ada"
+graded_as g5 05-spheres
+check "two labs" exits 0 term_of
+check "a person is found again by the address" is \
+    "$(jq -c '.pairs[0] | [.persons, (.labs | keys)]' "$scratch/term/copies-term.json")" \
+    '[["Ada Lovelace","Grace Hopper"],["03-kdtree-2d-render","05-spheres"]]'
+check "scores are added" jq -e '.pairs[0] | (.labs | add) - .score | fabs < 0.02' "$scratch/term/copies-term.json"
+check "a line says so" said 'look at "Ada Lovelace" and "Grace Hopper": 2 labs, score '
+check "the page has both labs side by side" is "$(grep -o '<b>0[35]-[a-z0-9-]*: ' "$scratch/term/copies-term.html" | sort -u | wc -l)" 2
+check "the page accuses nobody" lacks "$scratch/term/copies-term.html" copied cheat plagia
+rm -r "$class"
+check "submissions that are gone" exits 2 term_of
+check "are named" said "leads to nothing: the submission was moved or removed"
+
 # ---- Refusals --------------------------------------------------------------------------------------
 
 check "no lab" look 2 --output "$scratch/none"
