@@ -2,7 +2,7 @@
 # the figures. The bench and fuzzing have files of their own. Nothing of this is in a handout.
 
 setup_for = demo
-AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class
+AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class -I tests/copies
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
@@ -52,6 +52,8 @@ term: $(OUT)/tools/term  ## the labs of a term in one table: CLASSES="folder fol
 	    $(if $(EXCEL),--excel) -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 class-figures: $(OUT)/tools/term  ## where classes fail, by lab and check, without any names: CLASSES="folder folder ..." [OUTPUT=folder]
 	@$(classes_in); $(OUT)/tools/term figures -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
+
+include tests/copies/copies.mk
 
 # ---- Other systems (tests/systems/README.md) ------------------------------------------------
 
@@ -114,7 +116,7 @@ format:  ## put every source into the one format
 # ---- Tests ----------------------------------------------------------------------------------
 
 UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/test_*.c))
-$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+$(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libcopies.a $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES) -larchive $(CLASS_LIBRARIES) -lcriterion)
 $(OUT)/tests/test_memcheck: $(call objects,$(filter-out %/memcheck.c,$(MEMCHECK_SOURCES)))
 $(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)

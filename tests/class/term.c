@@ -49,6 +49,7 @@ static int entry_take(Term *term, int lab, const json_t *whose, const json_t *ro
     const char *status = text_of(row, "status");
     const json_t *score = json_object_get(row, "score");
     *entry = (Entry){.lab = lab,
+                     .id = text_of(row, "id"),
                      .name = text_of(whose, "name"),
                      .address = text_of(whose, "address"),
                      .id_number = text_of(whose, "id_number"),

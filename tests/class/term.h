@@ -15,7 +15,8 @@ typedef struct TermLab {
 
 // One person in one lab: what the gradebook says.
 typedef struct Entry {
-    int lab;  // which of the labs
+    int lab;         // which of the labs
+    const char *id;  // the row's, or "" where there is none
     const char *name, *address, *id_number;
     int has_score, score;
     const char *open;   // why there is no score, though there may be one some day; else NULL

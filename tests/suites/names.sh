@@ -78,7 +78,7 @@ done
 heart_ends
 
 holds_on() { grep -qzF "found \"$text\"" "$said" || grep -qzF "and \"$text\"" "$said" || { cat "$said"; return 1; }; }
-for target in pack gradescope autolab prairielearn github grade-class; do
+for target in pack gradescope autolab prairielearn github grade-class copies; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" SUBMISSIONS="$scratch"
 done
 
@@ -109,6 +109,11 @@ check "everybody is graded" grep -q ',100,100,' "$scratch/out$hostile/gradebook.
 cp "$scratch/out$hostile/gradebook.json" "$scratch/older$hostile"
 check "by a list of corrections" grep -q '"score before"' "$scratch/out$hostile/gradebook.csv"
 check "and compared" class 0 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/out$hostile" AGAINST="$scratch/older$hostile"
+check "answers that are alike" makes 0 copies BUILD="$build" LAB=00 SUBMISSIONS="$scratch/$hostile" OUTPUT="$scratch/alike$hostile" EXPORT=moss
+check "are written where they should be" test -s "$scratch/alike$hostile/copies.html"
+holds_on() { grep -qzF "found \"$text\", expected jplag, dolos or moss" "$said" || { cat "$said"; return 1; }; }
+both_ways "make copies" 2 EXPORT 'x$(touch names-trap)`touch names-trap`"; touch names-trap' copies BUILD="$build" LAB=00 \
+    SUBMISSIONS="$scratch/class" OUTPUT="$scratch/alike"
 # In the top folder such names begin with a minus, as options do.
 cp -R "$scratch/class" "$top/$hostile"
 cp "$moodle" "$top/$hostile.csv"

@@ -164,6 +164,23 @@ const char html_style[] =
     ".gallery figcaption { display: flex; justify-content: space-between; gap: 0.5rem; margin: 0;\n"
     "  padding: 0.375rem 0.625rem; font-weight: 400; overflow-wrap: anywhere; }\n"
 
+    // Two answers side by side, with a sign before each line that few others have.
+    ".reasons { padding: 1rem 1.25rem; }\n"
+    ".reasons ul { margin: 0.25rem 0 0.75rem; padding-left: 1.5rem; }\n"
+    ".reasons > .soft { padding: 0; }\n"
+    ".answers { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr));\n"
+    "  gap: 0.375rem 1rem; padding: 0.75rem 1.25rem 1rem; }\n"
+    ".answers h3 { grid-column: 1 / -1; }\n"
+    ".answers pre { margin: 0; padding: 0.5rem 0; overflow-x: auto; line-height: 1.45;\n"
+    "  border: 1px solid var(--edge); border-radius: 0.375rem; }\n"
+    ".line { display: block; min-height: 1.45em; width: max-content; min-width: 100%;\n"
+    "  padding-right: 0.5rem; }\n"
+    ".line::before { content: \" \"; display: inline-block; width: 1.75em; text-align: center; }\n"
+    ".line.only { background: var(--fault); }\n"
+    ".line.only::before { content: \"\\25cf\"; color: var(--bad); }\n"
+    ".line.rare { background: var(--hint); }\n"
+    ".line.rare::before { content: \"\\25cb\"; color: var(--accent); }\n"
+
     "@media (max-width: 40rem) { main { padding: 1.5rem 0.875rem 3rem; }\n"
     "  .trio, .trio.pair { grid-template-columns: minmax(0, 1fr); }\n"
     "  .card > .title, .check, .hint, .trio { padding-left: 0.875rem; padding-right: 0.875rem; }\n"
@@ -185,6 +202,7 @@ const char html_style[] =
     "  .failure .names { margin-left: 0; }\n"
     "  .count { grid-template-columns: minmax(0, 1fr) 4rem 4rem; gap: 0 0.625rem;\n"
     "  padding: 0.5rem 0.875rem; font-size: 0.875rem; }\n"
-    "  .count code { display: none; } }\n"
+    "  .count code { display: none; }\n"
+    "  .answers { grid-template-columns: minmax(0, 1fr); padding: 0.75rem 0.875rem 1rem; } }\n"
     "@media print { body { background: none; } .card { break-inside: avoid; } }\n";
 // clang-format on

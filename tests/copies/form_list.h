@@ -1,0 +1,32 @@
+// Texts put together to forms, and arrays that grow. Whatever finds no memory ends the program
+// after one message: an instructor starts it anew, and nothing is lost.
+#ifndef COPIES_FORM_LIST_H
+#define COPIES_FORM_LIST_H
+
+#include <stddef.h>
+
+// Room for one more element behind n: the array, perhaps moved. n_bytes: of one element.
+void *array_grow(void *array, int n, size_t n_bytes);
+
+// Memory that is all zeros.
+void *memory_take(size_t n_bytes);
+
+// Operands of one operator, or arguments. Start with {0}.
+typedef struct FormList {
+    char **items;  // each owned
+    int n;
+} FormList;
+
+// Takes the item over.
+void form_list_add(FormList *list, char *item);
+
+// "name(item,item)", sorted or in their order; free() it. Releases the list.
+char *form_list_text(const char *name, FormList *list, int is_sorted);
+
+// The only item as it is; of none or several "(item,item)". free() it. Releases the list.
+char *form_list_bare(FormList *list);
+
+// "name(first,second)"; takes both over. second: NULL for none.
+char *form_of(const char *name, char *first, char *second, int is_sorted);
+
+#endif

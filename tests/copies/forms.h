@@ -1,0 +1,34 @@
+// The forms of an answer: what each of its statements comes to when names, order and spelling are
+// taken away, and what else of a text can be alike (its comments, its own names).
+//
+//     const uint left = nodes[id].lChild;            "=(_,.([](nodes,id),lChild))" and "uint"
+//     for (uint i = 0; i < n; i++)                   "=(_,0)", "loop <(_,n)", "=(_,+(1,_))"
+//     if (x < a.minX) { ... }                        "if <(x,.(_,minX))"
+//
+// So a loop is the same with `for` and `while`. An answer's forms are a set: where a statement
+// stands says nothing. Read next: weights.h.
+#ifndef COPIES_FORMS_H
+#define COPIES_FORMS_H
+
+typedef enum FormKind { FORM_STATEMENT, FORM_COMMENT, FORM_NAME, N_FORM_KINDS } FormKind;
+
+typedef struct Form {
+    FormKind kind;
+    char *text;      // owned; of a comment its words in small letters
+    int first_line;  // where it stands in the answer, from 1
+    int last_line;
+    int id;  // see weights.h
+} Form;
+
+typedef struct Forms {
+    Form *all;  // in the order of the answer
+    int n;
+} Forms;
+
+// Read the forms of the text in a hole. Of what is longer than this many only the first.
+// forms_free() them. Running out of memory ends the program.
+enum { FORMS_MAX = 20000 };
+Forms forms_read(const char *answer);
+void forms_free(Forms *forms);
+
+#endif

@@ -1,0 +1,102 @@
+// Reading what the course gives (see given.h).
+#include "given.h"
+
+#include "form_list.h"
+#include "holes.h"
+#include "path.h"
+#include "skeleton.h"
+#include "text_file.h"
+
+#include <glob.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct Collection {
+    Given *all;
+    int n;
+} Collection;
+
+// Add the forms of a text, which may be NULL.
+static void text_add(Collection *given, const char *text, int is_known)
+{
+    if (text == NULL) {
+        return;
+    }
+    given->all = array_grow(given->all, given->n, sizeof *given->all);
+    given->all[given->n++] = (Given){forms_read(text), is_known};
+}
+
+static char *read_if_there(const char *path)
+{
+    return access(path, F_OK) == 0 ? text_file_read(path) : NULL;
+}
+
+static void holes_add(Collection *given, const Manifest *manifest, const Task *task)
+{
+    char path[PATH_MAX];
+    char *skeleton = skeleton_read(manifest, task->file);
+    path_make(path, "solutions/%s/%s", manifest->lab, task->file);
+    char *solution = read_if_there(path);
+    char *handed_out = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
+    char *solved = solution != NULL ? hole_read(solution, task->id) : NULL;
+    text_add(given, handed_out, 0);
+    text_add(given, solved, 0);
+    free(handed_out), free(solved), free(skeleton), free(solution);
+}
+
+// The fenced blocks of a page in Markdown.
+static void page_add(Collection *given, const char *path)
+{
+    char *page = read_if_there(path);
+    char *at = page;
+    while (at != NULL && (at = strstr(at, "\n```")) != NULL) {
+        char *begin = strchr(at + 1, '\n');
+        char *end = begin != NULL ? strstr(begin, "\n```") : NULL;
+        if (end == NULL) {
+            break;
+        }
+        *end = '\0';
+        text_add(given, begin, 0);
+        at = strchr(end + 1, '\n');
+    }
+    free(page);
+}
+
+static void known_add(Collection *given, const char *lab)
+{
+    char pattern[PATH_MAX];
+    glob_t found;
+    path_make(pattern, "tests/{right,mutants}/%s/*", lab);
+    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
+        return;
+    }
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        char *text = text_file_read(found.gl_pathv[i]);
+        text_add(given, text, 1);
+        free(text);
+    }
+    globfree(&found);
+}
+
+Given *given_read(const Manifest *manifest, int *n_given)
+{
+    Collection all = {0};
+    char page[PATH_MAX];
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        holes_add(&all, manifest, &manifest->tasks[i]);
+    }
+    path_make(page, "labs/%s/README.md", manifest->lab);
+    page_add(&all, page);
+    known_add(&all, manifest->lab);
+    *n_given = all.n;
+    return all.all;
+}
+
+void given_free(Given *given, int n_given)
+{
+    for (int i = 0; i < n_given; i++) {
+        forms_free(&given[i].forms);
+    }
+    free(given);
+}

@@ -1,0 +1,175 @@
+// Staging each entry of a class, and reading the holes (see handed_in.h).
+#include "handed_in.h"
+
+#include "complain.h"
+#include "folder.h"
+#include "holes.h"
+#include "path.h"
+#include "settings.h"
+#include "submission.h"
+#include "text_file.h"
+#include "untouched.h"
+#include "workshop_files.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int machine_fault(const char *path)
+{
+    complain("copies: %s: %s", path, strerror(errno));
+    return -1;
+}
+
+// ---- One entry -------------------------------------------------------------------------------
+
+static char *hole_of(const Manifest *manifest, const Task *task, const char *staged)
+{
+    char path[PATH_MAX];
+    path_make(path, "%s/%s", staged, task->file);
+    char *text = access(path, F_OK) == 0 ? hole_load(path, task->id) : NULL;
+    if (text != NULL && answer_is_untouched(manifest, task, text)) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}
+
+// Returns how many tasks have an answer.
+static int answers_read(const Manifest *manifest, const char *staged, Author *author)
+{
+    int n = 0;
+    for (int i = 0; i < manifest->n_tasks; i++) {
+        Answer *answer = &author->answers[i];
+        answer->text = hole_of(manifest, &manifest->tasks[i], staged);
+        if (answer->text != NULL) {
+            answer->forms = forms_read(answer->text);
+            n++;
+        }
+    }
+    return n;
+}
+
+static void author_free(Author *author)
+{
+    for (int i = 0; i < MANIFEST_MAX_TASKS; i++) {
+        free(author->answers[i].text);
+        forms_free(&author->answers[i].forms);
+    }
+    *author = (Author){0};
+}
+
+// Is it a later attempt of the last author?
+static int is_next_attempt(const HandedIn *class, const Entrant *entrant)
+{
+    const Entrant *last =
+        class->n_authors > 0 ? class->authors[class->n_authors - 1].entrant : NULL;
+    return last != NULL && entrant->attempt > last->attempt &&
+           strcmp(entrant->name, last->name) == 0 && strcmp(entrant->number, last->number) == 0;
+}
+
+// Read a staged entry, and note its author where it holds an answer.
+static void entry_take(HandedIn *class, const Entrant *entrant, const char *staged)
+{
+    Author author = {.entrant = entrant};
+    if (answers_read(&class->manifest, staged, &author) == 0) {
+        author_free(&author);
+        class->n_without++;
+    } else if (is_next_attempt(class, entrant)) {
+        author_free(&class->authors[class->n_authors - 1]);
+        class->authors[class->n_authors - 1] = author;
+    } else {
+        class->authors[class->n_authors++] = author;
+    }
+}
+
+// ---- All entries -----------------------------------------------------------------------------
+
+// Stage an entry in a folder of its own, and take its answers. Returns 0, or -1 after one message.
+static int entry_read(HandedIn *class, const Workshop *all, const char *folder,
+                      const Entrant *entrant)
+{
+    char path[PATH_MAX], staged[PATH_MAX];
+    char *message = NULL;
+    Workshop workshop = *all;
+    path_make(path, "%s/submissions/%s", folder, entrant->slug);
+    path_make(workshop.folder, "%s/%s", all->folder, entrant->slug);
+    path_make(staged, "%s/%s/staged", all->folder, entrant->slug);
+    if (access(path, F_OK) != 0) {
+        complain(
+            "copies: %s: leads to nothing: the submission was moved or removed; give SUBMISSIONS=",
+            path);
+        return -1;
+    }
+    if (make_folder(workshop.folder) != 0 || make_closed_folder(staged) != 0) {
+        return -1;
+    }
+    const int outcome = submission_stage(&workshop, path, staged, &message);
+    free(message);  // the student reads it in the report
+    if (outcome >= 0) {
+        entry_take(class, entrant, staged);
+    }
+    if (folder_remove(workshop.folder) != 0) {
+        return machine_fault(workshop.folder);
+    }
+    return outcome >= 0 ? 0 : -1;
+}
+
+static int entries_read(HandedIn *class, const Workshop *workshop, const char *folder)
+{
+    int result = 0;
+    for (int i = 0; result == 0 && i < class->roster.n_entrants; i++) {
+        const Entrant *entrant = &class->roster.entrants[i];
+        if (entrant->is_link) {
+            class->n_without++;
+        } else {
+            result = entry_read(class, workshop, folder, entrant);
+        }
+    }
+    return result;
+}
+
+static int folder_clear(void *what)
+{
+    return folder_remove(what) == 0 || errno == ENOENT ? 0 : -1;
+}
+
+int handed_in_read(const char *build, const char *lab, const char *folder, HandedIn *class)
+{
+    char path[PATH_MAX];
+    Workshop workshop = {.build = build, .manifest = &class->manifest};
+    *class = (HandedIn){0};
+    path_make(path, "%s/roster.json", folder);
+    if (manifest_load(manifest_folder(lab), lab, &class->manifest) != 0 ||
+        roster_load(path, &class->roster) != 0 ||
+        settings_find_sandbox(NULL, &workshop.sandbox) != 0 ||
+        sandbox_choose(workshop.sandbox, &workshop.sandbox) != 0) {
+        return -1;
+    }
+    class->authors = calloc((size_t)class->roster.n_entrants + 1, sizeof *class->authors);
+    if (class->authors == NULL || temporary_folder_make(workshop.folder, "copies") != 0) {
+        return machine_fault("no temporary folder in $TMPDIR or /tmp");
+    }
+    // The sandbox's user passes through it.
+    int result = janitor_start(&workshop.janitor, folder_clear, workshop.folder) == 0
+                     ? make_folder(workshop.folder)
+                     : machine_fault("no process can be started");
+    if (result == 0) {
+        result = entries_read(class, &workshop, folder);
+    }
+    folder_clear(workshop.folder);
+    janitor_dismiss(&workshop.janitor);
+    return result;
+}
+
+void handed_in_free(HandedIn *class)
+{
+    for (int i = 0; i < class->n_authors; i++) {
+        author_free(&class->authors[i]);
+    }
+    free(class->authors);
+    roster_free(&class->roster);
+    manifest_free(&class->manifest);
+    *class = (HandedIn){0};
+}

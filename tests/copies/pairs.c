@@ -1,0 +1,162 @@
+// Comparing any two authors (see pairs.h).
+#include "pairs.h"
+
+#include "form_list.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { PAIRS_ROOM = 8 * PAIRS_KEPT };
+
+// Were forms independent of each other, the odds that a pair at the level shares its forms by
+// chance would be 1 to e^CERTAINTY, for all pairs of the class together. They are not quite.
+static const double CERTAINTY = 3;
+
+// The ids of an author's forms, each once, ascending.
+typedef struct Ids {
+    int *all;
+    int n;
+    double nats;  // what all weigh
+} Ids;
+
+static int ids_compare(const void *left, const void *right)
+{
+    const int *a = left, *b = right;
+    return (*a > *b) - (*a < *b);
+}
+
+static void ids_collect(const HandedIn *class, const Author *author, const Weights *weights,
+                        Ids *ids)
+{
+    int n = 0, n_once = 0;
+    for (int t = 0; t < class->manifest.n_tasks; t++) {
+        n += author->answers[t].forms.n;
+    }
+    *ids = (Ids){.all = memory_take(((size_t)n + 1) * sizeof *ids->all)};
+    for (int t = 0; t < class->manifest.n_tasks; t++) {
+        const Forms *forms = &author->answers[t].forms;
+        for (int i = 0; i < forms->n; i++) {
+            ids->all[ids->n++] = forms->all[i].id;
+        }
+    }
+    qsort(ids->all, (size_t)n, sizeof *ids->all, ids_compare);
+    for (int i = 0; i < n; i++) {
+        if (n_once == 0 || ids->all[n_once - 1] != ids->all[i]) {
+            ids->all[n_once++] = ids->all[i];
+            ids->nats += weights->all[ids->all[i]].nats;
+        }
+    }
+    ids->n = n_once;
+}
+
+static Pair pair_compare(const Ids *a, const Ids *b, const Weights *weights)
+{
+    Pair pair = {0};
+    for (int i = 0, j = 0; i < a->n && j < b->n;) {
+        if (a->all[i] == b->all[j]) {
+            const Weight *weight = &weights->all[a->all[i]];
+            pair.nats += weight->nats;
+            pair.n_shared += weight->nats > 0;
+            pair.n_only_two += weight->nats > 0 && weight->n_authors == 2;
+            i++, j++;
+        } else if (a->all[i] < b->all[j]) {
+            i++;
+        } else {
+            j++;
+        }
+    }
+    const double less = a->nats < b->nats ? a->nats : b->nats;
+    pair.share = less > 0 ? pair.nats / less : 0;
+    pair.score = pair.nats * pair.share;
+    return pair;
+}
+
+// The most alike first; of equals in the roster's order.
+static int pairs_compare(const void *left, const void *right)
+{
+    const Pair *a = left, *b = right;
+    int order = (a->score < b->score) - (a->score > b->score);
+    order = order != 0 ? order : a->first - b->first;
+    return order != 0 ? order : a->second - b->second;
+}
+
+// Order the pairs, and forget all but the best.
+static void pairs_cut(Pairs *pairs)
+{
+    qsort(pairs->all, (size_t)pairs->n, sizeof *pairs->all, pairs_compare);
+    pairs->n = pairs->n < PAIRS_KEPT ? pairs->n : PAIRS_KEPT;
+}
+
+static void all_compare(const HandedIn *class, const Weights *weights, const Ids *ids, Pairs *pairs)
+{
+    for (int i = 0; i < class->n_authors; i++) {
+        for (int j = i + 1; j < class->n_authors; j++) {
+            Pair pair = pair_compare(&ids[i], &ids[j], weights);
+            pair.first = i, pair.second = j;
+            pairs->n_compared++;
+            if (pair.n_shared > 0) {
+                pairs->all[pairs->n++] = pair;
+            }
+            if (pairs->n == PAIRS_ROOM) {
+                pairs_cut(pairs);
+            }
+        }
+    }
+    pairs_cut(pairs);
+}
+
+// What is listed, and for whom the list would say something.
+static void level_set(const HandedIn *class, const Ids *ids, Pairs *pairs)
+{
+    pairs->level = log(pairs->n_compared > 0 ? pairs->n_compared : 1) + CERTAINTY;
+    while (pairs->n_listed < pairs->n && pairs->n_listed < PAIRS_LISTED &&
+           pairs->all[pairs->n_listed].score >= pairs->level) {
+        pairs->n_listed++;
+    }
+    for (int i = 0; i < class->n_authors; i++) {
+        pairs->own_nats[i] = ids[i].nats;
+        pairs->n_tellable += ids[i].nats >= pairs->level;
+    }
+}
+
+void pairs_find(const HandedIn *class, const Weights *weights, Pairs *pairs)
+{
+    const size_t n = (size_t)class->n_authors;
+    Ids *ids = memory_take((n + 1) * sizeof *ids);
+    *pairs = (Pairs){.all = memory_take(PAIRS_ROOM * sizeof *pairs->all),
+                     .own_nats = memory_take((n + 1) * sizeof *pairs->own_nats)};
+    for (size_t i = 0; i < n; i++) {
+        ids_collect(class, &class->authors[i], weights, &ids[i]);
+    }
+    all_compare(class, weights, ids, pairs);
+    level_set(class, ids, pairs);
+    for (size_t i = 0; i < n; i++) {
+        free(ids[i].all);
+    }
+    free(ids);
+}
+
+void pairs_free(Pairs *pairs)
+{
+    free(pairs->all);
+    free(pairs->own_nats);
+    *pairs = (Pairs){0};
+}
+
+int pairs_are_too_few(const HandedIn *class, const Pairs *pairs)
+{
+    return class->n_authors < PAIRS_MIN_AUTHORS || 4 * pairs->n_tellable < class->n_authors;
+}
+
+int author_has(const HandedIn *class, const Author *author, int id)
+{
+    for (int t = 0; t < class->manifest.n_tasks; t++) {
+        const Forms *forms = &author->answers[t].forms;
+        for (int i = 0; i < forms->n; i++) {
+            if (forms->all[i].id == id) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
