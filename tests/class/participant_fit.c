@@ -14,8 +14,10 @@
 // Titles as course systems write them in English and in German, and what instructors add.
 static const char *const number_titles[] = {"Identifier", "ID", NULL};
 static const char *const group_titles[] = {"Group", "Gruppe", NULL};
-static const char *const first_titles[] = {"First name", "First Name", "Vorname", NULL};
-static const char *const last_titles[] = {"Surname", "Last name", "Last Name", "Nachname", NULL};
+static const char *const first_titles[] = {"First name", "First Name", "FirstName", "Vorname",
+                                           NULL};
+static const char *const last_titles[] = {"Surname",  "Last name", "Last Name",
+                                          "LastName", "Nachname",  NULL};
 static const char *const name_titles[] = {"Full name", "Vollständiger Name", "Student", NULL};
 static const char *const mail_titles[] = {"Email address", "E-Mail-Adresse", "E-Mail", "Email",
                                           NULL};
@@ -354,6 +356,18 @@ int looks_like_participant(const Worksheet *worksheet, const Participant *partic
         }
     }
     return 0;
+}
+
+int has_persons(const Worksheet *worksheet)
+{
+    static const char *const *const titles[] = {number_titles, name_titles, first_titles,
+                                                last_titles,   mail_titles, sid_titles,
+                                                user_titles};
+    size_t i = 0;
+    while (i < sizeof titles / sizeof *titles && worksheet_column(worksheet, titles[i]) < 0) {
+        i++;
+    }
+    return i < sizeof titles / sizeof *titles;
 }
 
 int has_one_domain(const Worksheet *worksheet)

@@ -64,6 +64,9 @@ int fits_other_key(const Worksheet *worksheet, const Participant *participant,
 int looks_like_participant(const Worksheet *worksheet, const Participant *participant,
                            const char *name);
 
+// Has the list a column by which a person can be found?
+int has_persons(const Worksheet *worksheet);
+
 // Are all e-mail addresses of the list of one domain?
 int has_one_domain(const Worksheet *worksheet);
 
