@@ -37,7 +37,7 @@ uploaded() { [ "$(cat "$class.out/upload.csv")" = "$1" ] || { cat "$class.out/up
 class_of canvas lovelaceada_40012_880012_gradient.cl lovelaceada_LATE_40013_880013_gradient.cl \
     mullerjorg_40014_880014_gradient.cl hoppergrace_40017_880017_gradient.cl shawmary_40019_880019_gradient.cl
 cat >"$class.csv" <<'END'
-Student,ID,SIS User ID,SIS Login ID,Section,Notes,Lab 0 (4711),Lab 10 (4712),"Labs, all Current Score",Final Score
+Student,ID,SIS User ID,SIS Login ID,Section,Notes,Lab 0 (4711),Lab 10 (4712),"Labs, all Current Score",0 Final Score (2026)
 ,,,,,,Manual Posting,,,
     Points Possible,,,,,,40.00,10.00,(read only),(read only)
 "Lovelace, Ada",40012,u12,ada,A,,,9.00,90.00,90.00
