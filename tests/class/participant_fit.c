@@ -2,6 +2,7 @@
 #include "participant_fit.h"
 
 #include "complain.h"
+#include "ilias_name.h"
 #include "name_likeness.h"
 
 #include <ctype.h>
@@ -162,7 +163,7 @@ static FullNames full_names(const Worksheet *worksheet, const Participant *parti
     FullNames names = {0};
     snprintf(names.text[0], sizeof names.text[0], "%s",
              cell_of(worksheet, participant, name_titles));
-    if (first[0] != '\0' && last[0] != '\0') {
+    if (first[0] != '\0' || last[0] != '\0') {
         snprintf(names.text[1], sizeof names.text[1], "%s %s", first, last);
         snprintf(names.text[2], sizeof names.text[2], "%s %s", last, first);
     }
@@ -294,17 +295,18 @@ size_t fits_behind_team(const Worksheet *worksheet, const Participant *participa
     return 0;
 }
 
-// Is this "Lovelace_Ada_ada", as ILIAS has names and login in one? Either may have underscores.
-static int is_name_with_login(const Worksheet *worksheet, const Participant *participant,
-                              const Member *member)
+int fits_name_with_login(const Worksheet *worksheet, const Participant *participant,
+                         const Member *member)
 {
     const FullNames names = full_names(worksheet, participant);
     const char *user = cell_of(worksheet, participant, user_titles);
-    char found[2 * ENTRY_NAME_BYTES], wanted[2 * ENTRY_NAME_BYTES];
+    char found[2 * ENTRY_NAME_BYTES], wanted[2 * ENTRY_NAME_BYTES], ascii[2 * ENTRY_NAME_BYTES];
     snprintf(found, sizeof found, "%s %s", member->name, member->login);
     for (int i = 0; i < 3 && user[0] != '\0'; i++) {
         snprintf(wanted, sizeof wanted, "%s %s", names.text[i], user);
-        if (names.text[i][0] != '\0' && is_same_name(wanted, found)) {
+        ilias_name_make(wanted, ascii, sizeof ascii);
+        if (names.text[i][0] != '\0' &&
+            (is_same_name(wanted, found) || is_same_name(ascii, found))) {
             return 1;
         }
     }
@@ -327,7 +329,7 @@ static int is_login(const Worksheet *worksheet, const Participant *participant,
     const char *number = cell_of(worksheet, participant, brightspace_titles);
     return (fits_member_name(worksheet, participant, member->name) &&
             is_same_key(number + (number[0] == '#'), member->login)) ||
-           is_name_with_login(worksheet, participant, member);
+           fits_name_with_login(worksheet, participant, member);
 }
 
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member)

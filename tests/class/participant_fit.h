@@ -55,6 +55,11 @@ size_t fits_behind_team(const Worksheet *worksheet, const Participant *participa
 // Has the submitter this e-mail address, this number of the university or this login?
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member);
 
+// Are these the participant's names and login, "Lovelace_Ada_ada", as ILIAS has them in one, perhaps
+// in ASCII (ilias_name.h)? Any of them may have underscores.
+int fits_name_with_login(const Worksheet *worksheet, const Participant *participant,
+                         const Member *member);
+
 // Of a participant without any of the submitter's keys: is one given on both sides, and differs?
 // The login is no such key, as a list may hold one of another system.
 int fits_other_key(const Worksheet *worksheet, const Participant *participant,

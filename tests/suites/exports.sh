@@ -57,13 +57,6 @@ graded() {
     check "${all##*/}: $2" said "$2"
 }
 
-# own NUMBER: does the line of the list that has this number lead to the student's own file?
-own() {
-    line=$(grep -w -- "$1" "$class.out/gradebook.csv" | grep -v '^,')
-    slug=$(echo "$line" | sed -n 's|.*"students/\([^/]*\)/report.html".*|\1|p')
-    [ "$(cat "$class.out/students/$slug/whose")" = "$1" ] || { echo "$line"; return 1; }
-}
-
 # all_own: everybody's.
 all_own() {
     while IFS=, read -r number _; do
