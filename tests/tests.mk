@@ -31,7 +31,7 @@ grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUT
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 .PHONY: feedback
-feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|mail|folders [OUTPUT=folder] [LIST=file.csv] [WHO=file.csv] [CHANGES=file.csv]
+feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|ilias|mail|folders [OUTPUT=folder] [LIST=file.csv] [WHO=file.csv] [CHANGES=file.csv]
 	@$(say_which_lab)
 	@$(OUT)/tools/gradebook feedback $(if $(LIST),--list "$$LIST") $(if $(MOODLE),--moodle "$$MOODLE") $(if $(COLUMN),--column "$$COLUMN") $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
 

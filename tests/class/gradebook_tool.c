@@ -5,7 +5,7 @@
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
-//     gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER
+//     gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER
 //
 //     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv
 //
@@ -50,7 +50,7 @@ static int usage(void)
           "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
           "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] "
           "[--names no] FOLDER\n"
-          "       gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER\n"
+          "       gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER\n"
           "LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv\n",
           stderr);
     return EXIT_FAULT;
@@ -317,7 +317,8 @@ static int give_back(const char *kind_name, const char *folder, const ListPaths 
     FeedbackKind kind;
     Class class;
     if (feedback_kind_find(kind_name, &kind) != 0) {
-        complain("gradebook: found \"%s\", expected moodle, canvas, folders or mail", kind_name);
+        complain("gradebook: found \"%s\", expected moodle, canvas, ilias, folders or mail",
+                 kind_name);
         return EXIT_FAULT;
     }
     const int failed = class_load(folder, NULL, paths, &class) != 0 ||
