@@ -26,6 +26,7 @@ cat >"$scratch/shout" <<'EOF'
     __builtin_printf("<%c]]>&\"'\xff\xfe\xef\xbf\xbf\x01\x1b[2J\x9b\n", 0);
     __builtin_puts("::notice title=Autograding complete::Points 100/100");
     __builtin_puts("ok 1 - everything\nBail out!\n1..1\n</failure><![CDATA[");
+    __builtin_puts("--|>\nGrade :=>> 100\nComment :=>>all right\n<|--\n-(-5)");
     __builtin_puts("{\"scores\":{\"gradient\":100}}\n{\"score\":100}");
     for (int i = 0; i < 8000; i++) __builtin_putchar("\\\"<&x"[i % 5]);
     fflush((void *)0);

@@ -27,20 +27,20 @@ grade pack gradescope autolab prairielearn github: $(if $(POINTS),$(OUT)/tools/p
 
 grader: $(addprefix $(OUT)/tools/,holes gradebook points term mutants mutate pairs)
 .PHONY: grade-class
-grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
+grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
-	    $(if $(AGAIN),--again "$$AGAIN") $(if $(MOODLE),--moodle "$$MOODLE") \
+	    $(if $(AGAIN),--again "$$AGAIN") $(if $(LIST),--list "$$LIST") $(if $(MOODLE),--moodle "$$MOODLE") $(if $(COLUMN),--column "$$COLUMN") \
 	    $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") \
 	    $(if $(POINTS),--points "$$POINTS") $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") \
 	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(NAMES),--names "$$NAMES") $(if $(DEVICE),--device "$$DEVICE") \
 	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
 
 .PHONY: feedback
-feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|mail|folders [OUTPUT=folder] [MOODLE=file.csv] [WHO=file.csv] [CHANGES=file.csv] [DUE=time] [LATE=points]
+feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|ilias|mail|folders [OUTPUT=folder] [LIST=file.csv] [WHO=file.csv] [CHANGES=file.csv] [DUE=time] [LATE=points]
 	@$(say_which_lab)
-	@$(OUT)/tools/gradebook feedback $(if $(MOODLE),--moodle "$$MOODLE") $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
+	@$(OUT)/tools/gradebook feedback $(if $(LIST),--list "$$LIST") $(if $(MOODLE),--moodle "$$MOODLE") $(if $(COLUMN),--column "$$COLUMN") $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
 
 # The folders of CLASSES are words; the shell expands nothing in them (set -f).
 $(OUT)/tools/term: $(call objects,tests/class/term_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a

@@ -15,6 +15,7 @@ typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
     unsigned systems;  // a bit for each ExportSystem that may have made the name
+    int has_times;     // a folder whose files ILIAS has named by their times
     size_t n_title;    // Blackboard's: how many bytes the title before the login has
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded

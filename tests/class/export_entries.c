@@ -54,7 +54,7 @@ static int is_systems(const char *file)
     return name_is_one_of(file, names) || strncmp(file, "._", 2) == 0;
 }
 
-// Does a folder hold files that ILIAS has named?
+// Does a folder hold files that ILIAS has named by their times?
 static int holds_ilias_files(int parent, const char *file)
 {
     const int descriptor = openat(parent, file, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -75,13 +75,13 @@ static int holds_ilias_files(int parent, const char *file)
 }
 
 // Which systems may have made a name: a bit for each.
-static unsigned systems_find(int parent, const Found *found)
+static unsigned systems_find(const Found *found)
 {
     unsigned systems = found->name.system == SYSTEM_MOODLE ? 1U << SYSTEM_MOODLE : 0;
     for (ExportSystem system = SYSTEM_MOODLE + 1; system < N_SYSTEMS; system++) {
         const EntryName name = entry_name_read_export(found->file, found->is_folder, system);
         if (name.system == system &&
-            (system != SYSTEM_ILIAS || holds_ilias_files(parent, found->file))) {
+            (system != SYSTEM_ILIAS || found->has_times || ilias_name_is_whole(found->file))) {
             systems |= 1U << system;
         }
     }
@@ -104,7 +104,8 @@ static int found_read(int parent, const char *file, int lab_number, Found *found
         return -1;
     }
     found->is_link = !found->is_folder && !is_file;
-    found->systems = systems_find(parent, found);
+    found->has_times = found->is_folder && holds_ilias_files(parent, file);
+    found->systems = systems_find(found);
     found->is_loose = is_file && archive_stem_length(file) == 0;
     return 0;
 }

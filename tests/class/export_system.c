@@ -92,7 +92,7 @@ void export_names_read(Export *export)
             continue;
         }
         found->name = entry_name_read_export(found->file, found->is_folder, system);
-        found->is_loose = found->is_loose || system == SYSTEM_ILIAS;
+        found->is_loose = found->is_loose || (system == SYSTEM_ILIAS && found->has_times);
         if (titled != NULL) {
             login_read(found, titled->file, titled->n_title);
         }

@@ -26,7 +26,8 @@ enum { NAME_BYTES = 80 };
 
 int feedback_kind_find(const char *name, FeedbackKind *kind)
 {
-    static const char *const names[N_FEEDBACK_KINDS] = {"moodle", "canvas", "folders", "mail"};
+    static const char *const names[N_FEEDBACK_KINDS] = {"moodle", "canvas", "ilias", "folders",
+                                                        "mail"};
     for (int i = 0; i < N_FEEDBACK_KINDS; i++) {
         if (strcmp(name, names[i]) == 0) {
             *kind = (FeedbackKind)i;
@@ -326,6 +327,24 @@ static int give_to_canvas(Giving *giving, const Parcel *parcel)
     return strchr(name, '/') != NULL ? 0 : zip_put(giving, parcel->row, name);
 }
 
+// "multi_feedback/Ada Lovelace_40012/report.html": ILIAS looks for three parts, the first of which
+// begins so, and takes what is behind the last underscore of the second for the number of a user
+// (TutorFeedbackZipRepository). It is in the entry, a folder that ILIAS has named.
+static int give_to_ilias(Giving *giving, const Parcel *parcel)
+{
+    const Entrant *entrant = parcel->row->entrant;
+    const SystemName read = system_name_read(entrant->entry, SYSTEM_ILIAS);
+    char plain[NAME_BYTES], name[PATH_MAX];
+    if (read.system != SYSTEM_ILIAS || strlen(entrant->number) != read.number.length ||
+        strncmp(entrant->number, read.number.text, read.number.length) != 0) {
+        return 0;
+    }
+    plain_name(parcel->name, plain);
+    path_make(name, "multi_feedback/%s_%s/report.html", plain[0] != '\0' ? plain : "x",
+              entrant->number);
+    return zip_put(giving, parcel->row, name);
+}
+
 // Returns 0, or -1 after one message.
 static int zip_write(Giving *giving, const Worksheet *worksheet, const char *path)
 {
@@ -422,6 +441,8 @@ int feedback_write(const Gradebook *gradebook, const Worksheet *worksheet, Feedb
          "in the assignment choose Upload multiple feedback files in a zip"},
         {"feedback-canvas.zip", give_to_canvas, zip_write,
          "on the assignment's page choose Upload Submissions"},
+        {"feedback-ilias.zip", give_to_ilias, zip_write,
+         "in Submissions and Grades choose the assignment, and upload it as Multi-Feedback"},
         {"feedback.csv", give_as_folder, folders_write, "the folders are in feedback/"},
         {"feedback.csv", give_by_mail, folders_write,
          "for a mail merge: address, name, score, report, comment"},

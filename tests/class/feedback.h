@@ -10,12 +10,13 @@
 typedef enum FeedbackKind {
     FEEDBACK_MOODLE,   // feedback-moodle.zip, for "Upload multiple feedback files in a zip"
     FEEDBACK_CANVAS,   // feedback-canvas.zip, for "Upload submissions"
+    FEEDBACK_ILIAS,    // feedback-ilias.zip, for "Upload multi-feedback file"
     FEEDBACK_FOLDERS,  // feedback/, a folder a student, and feedback.csv
     FEEDBACK_MAIL,     // the same, for students with an address
     N_FEEDBACK_KINDS
 } FeedbackKind;
 
-// "moodle", "canvas", "folders", "mail". Returns 0, or -1: no such kind.
+// "moodle", "canvas", "ilias", "folders", "mail". Returns 0, or -1: no such kind.
 int feedback_kind_find(const char *name, FeedbackKind *kind);
 
 // What a row says in a line: "60 of 100 points: leaf_loop 0/40, ...; Random scenes: found ...".

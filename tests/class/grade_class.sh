@@ -10,7 +10,8 @@
 #     --seed N               a number in the place of the class's secret: for tests
 #     --only failed|latest   only those below full marks; of a student's entries by Moodle the last
 #     --again 1              grade all, also where nothing has changed
-#     --moodle FILE.csv      Moodle's participants or grading worksheet
+#     --list FILE.csv        the participants: Moodle's worksheet, a gradebook of Canvas, ... (--moodle is its older name)
+#     --column TITLE         which of its columns takes the grades, where it has several
 #     --who FILE.csv         whose an entry is, where the instructor decides: entry, student, counts
 #     --changes FILE.csv     the instructor's corrections: student, task, points, comment, until
 #     --points FILE.csv      the instructor's own points, hints and limits; kept as OUTPUT/points.csv
@@ -56,7 +57,8 @@ put() {
 # ---- What is asked for --------------------------------------------------------------------------
 
 CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' moodle='' who='' changes='' points='' due='' late='' against='' nothing='' names=''
+submissions='' engine=parallel jobs='' seed='' only='' again='' list='' column='' who='' changes='' points='' due='' late='' against=''
+nothing='' names=''
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
     case $1 in
@@ -69,7 +71,11 @@ while [ $# -gt 0 ]; do
     --seed) seed=$2 ;;
     --only) only=$2 ;;
     --again) again=$2 ;;
-    --moodle) moodle=$2 ;;
+    --list | --moodle)
+        [ -z "$list" ] || die "$1: found a list already, expected one: LIST=, or MOODLE=, its older name"
+        list=$2
+        ;;
+    --column) column=$2 ;;
     --who) who=$2 ;;
     --changes) changes=$2 ;;
     --points) points=$2 ;;
@@ -116,12 +122,12 @@ esac
 # No path shall look like an option.
 case $submissions in -*) submissions=./$submissions ;; esac
 case $CLASS_FOLDER in -*) CLASS_FOLDER=./$CLASS_FOLDER ;; esac
-case $moodle in -*) moodle=./$moodle ;; esac
+case $list in -*) list=./$list ;; esac
 case $who in -*) who=./$who ;; esac
 case $changes in -*) changes=./$changes ;; esac
 case $points in -*) points=./$points ;; esac
 case $against in -*) against=./$against ;; esac
-for file in "$moodle" "$who" "$changes" "$points" "$against"; do
+for file in "$list" "$who" "$changes" "$points" "$against"; do
     [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
 done
 [ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
@@ -262,7 +268,8 @@ rm "$CLASS_FOLDER/contents"
 
 # What the gradebook will be written with is read now, and not after hours.
 set --
-[ -z "$moodle" ] || set -- "$@" --moodle "$moodle"
+[ -z "$list" ] || set -- "$@" --list "$list"
+[ -z "$column" ] || set -- "$@" --column "$column"
 [ -z "$who" ] || set -- "$@" --who "$who"
 [ -z "$changes" ] || set -- "$@" --changes "$changes"
 [ -z "$due" ] || set -- "$@" --due "$due"

@@ -1,18 +1,17 @@
-// gradebook.csv: the class for spreadsheets and for Moodle (see gradebook.h).
+// gradebook.csv: the class for spreadsheets, behind the columns of a list (see gradebook.h).
 //
-// No cell is a formula (csv_cell.h), not even Moodle's: a student may choose the own name there.
-// Moodle knows its lines again by the column of identifiers, which has nobody's choice in it. Read
-// next: worksheet.h.
+// No cell is a formula (csv_cell.h), not even the list's: a student may choose the own name there.
+// A system knows its lines again by a number or a user name. Read next: worksheet.h.
 #include "gradebook.h"
 
 #include "complain.h"
 #include "corrections.h"
 #include "csv_cell.h"
-#include "feedback.h"
 #include "lateness.h"
 #include "moment.h"
 #include "output_file.h"
 #include "sheet_number.h"
+#include "upload_csv.h"
 #include "worksheet.h"
 
 #include <stdlib.h>
@@ -177,29 +176,14 @@ static void row_write(FILE *file, const Gradebook *gradebook, const Row *row, co
     row_end(file, last);
 }
 
-// ---- Moodle's columns ------------------------------------------------------------------------
-
-// In English and in German. Somebody's own comment stays.
-static const char *const comment_titles[] = {"Feedback comments", "Feedback als Kommentar", NULL};
+// ---- The list's columns ----------------------------------------------------------------------
 
 static void participant_write(FILE *file, const Worksheet *worksheet,
                               const Participant *participant, const Gradebook *gradebook)
 {
     const Row *row = participant->row;
     for (int i = 0; i < worksheet->n_columns; i++) {
-        char grade[32];
-        const char *cell = participant->cells[i];
-        char *comment = NULL;
-        if (i == worksheet->grade_column && row != NULL && row_is_entered(gradebook, row)) {
-            worksheet_grade(worksheet, participant, gradebook->max_score, grade);
-            cell = grade;
-        } else if (row != NULL && cell[0] == '\0' &&
-                   worksheet_has_title(worksheet, i, comment_titles)) {
-            comment = feedback_comment(gradebook, row);
-            cell = comment != NULL ? comment : cell;
-        }
-        csv_cell_copy(file, cell);
-        free(comment);
+        list_cell_write(file, worksheet, participant, i, gradebook);
         fputc(',', file);
     }
     // Where an entry may be the participant's, nobody can say that there is none.
@@ -225,25 +209,29 @@ static int has_other_grade(const Worksheet *worksheet, const Participant *partic
         return 0;
     }
     worksheet_grade(worksheet, participant, gradebook->max_score, grade);
-    return strcmp(cell, grade) != 0 &&
-           (sheet_number_read(cell, &theirs, &decimal) != 0 ||
-            sheet_number_read(grade, &ours, &decimal) != 0 || ours != theirs);
+    if (sheet_number_read(cell, &theirs, &decimal) != 0) {
+        // Blackboard has words for an attempt that is not graded: "Needs Grading".
+        return worksheet->system != LIST_BLACKBOARD;
+    }
+    return sheet_number_read(grade, &ours, &decimal) != 0 || ours != theirs;
 }
 
 // What becomes of the column of grades, where it is not simply filled.
 static void grades_tell(const Worksheet *worksheet, const Gradebook *gradebook)
 {
     if (worksheet->grade_column < 0) {
-        complain("gradebook: %s: found no column \"Grade\" or \"Bewertung\" to fill: points are in "
-                 "the columns behind only",
+        complain("gradebook: %s: found no column \"Grade\" or \"Bewertung\" to fill, nor "
+                 "was another named (COLUMN=): points are in the columns behind only",
                  worksheet->path);
         return;
     }
     for (int i = 1; i < worksheet->n_participants; i++) {
         const Participant *participant = &worksheet->participants[i];
         if (has_other_grade(worksheet, participant, gradebook)) {
-            complain("gradebook: %s: line %d has the grade \"%s\" already: gradebook.csv has ours",
-                     worksheet->path, i + 1, participant->cells[worksheet->grade_column]);
+            const char *cell = participant->cells[worksheet->grade_column];
+            complain("gradebook: %s: line %d has the grade \"%s\" already: %s", worksheet->path,
+                     i + 1, cell,
+                     list_cell_is_excused(worksheet, cell) ? "it stays" : "gradebook.csv has ours");
         }
     }
 }

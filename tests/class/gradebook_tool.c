@@ -5,9 +5,10 @@
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
-//     gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER
+//     gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER
 //
-//     LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv, --due DUE, --late LATE
+//     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv, --due DUE,
+//           --late LATE
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -36,6 +37,7 @@
 #include "path.h"
 #include "tally.h"
 #include "text_file.h"
+#include "upload_csv.h"
 #include "worksheet.h"
 
 #include <getopt.h>
@@ -53,9 +55,9 @@ static int usage(void)
           "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
           "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] "
           "[--names no] FOLDER\n"
-          "       gradebook feedback [LIST]... moodle|canvas|folders|mail FOLDER\n"
-          "LIST: --moodle WORKSHEET.csv, --who WHO.csv, --changes CHANGES.csv, --due DUE, "
-          "--late LATE\n",
+          "       gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER\n"
+          "LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv, "
+          "--due DUE, --late LATE\n",
           stderr);
     return EXIT_FAULT;
 }
@@ -141,8 +143,8 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
 
 // How the class did, for the terminal. The last line counts everybody.
 //   n_open   how many entries who.csv offers to decide
-static void summary_print(const Gradebook *gradebook, const LookAlikes *look_alikes,
-                          const Tally *tally, int n_open)
+static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet,
+                          const LookAlikes *look_alikes, const Tally *tally, int n_open)
 {
     const char *folder = gradebook->folder;
     double sum = 0;
@@ -179,6 +181,12 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
     }
     lateness_tell(gradebook);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
+    if (worksheet != NULL && worksheet->grade_column >= 0) {
+        const char *words = list_upload_words(worksheet->system);
+        printf("To upload: %s/upload.csv, your list with the column \"%s\" filled in%s%s\n", folder,
+               worksheet->participants[0].cells[worksheet->grade_column], words != NULL ? ": " : "",
+               words != NULL ? words : "");
+    }
     if (n_open > 0) {
         printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
                "WHO=%s/who.csv\n",
@@ -191,8 +199,9 @@ static void summary_print(const Gradebook *gradebook, const LookAlikes *look_ali
 // ---- A class with the instructor's lists ------------------------------------------------------
 
 typedef struct ListPaths {
-    const char *worksheet, *who, *changes, *against;  // each NULL where it was not given
-    const char *due, *late;                           // no paths (lateness.h); or NULL
+    ListGiven list;                 // its path is NULL where it was not given
+    const char *changes, *against;  // each NULL where it was not given
+    const char *due, *late;         // no paths (lateness.h); or NULL
 } ListPaths;
 
 typedef struct Class {
@@ -224,18 +233,18 @@ static int class_load(const char *folder, const char *lab, const ListPaths *path
     if (lab != NULL) {
         outdated_drop(gradebook);
     }
-    if (paths->who != NULL && paths->worksheet == NULL) {
-        complain("gradebook: %s: found no list of participants beside it, expected MOODLE=",
-                 paths->who);
+    lab = lab != NULL ? lab : gradebook->lab;
+    if (paths->list.path == NULL && (paths->list.decisions != NULL || paths->list.column != NULL)) {
+        complain("gradebook: %s: found no list of participants beside it, expected LIST=",
+                 paths->list.decisions != NULL ? paths->list.decisions : paths->list.column);
         return -1;
     }
-    if (paths->worksheet != NULL) {
-        if (worksheet_load(paths->worksheet, paths->who, gradebook, &class->worksheet) != 0) {
+    if (paths->list.path != NULL) {
+        if (worksheet_load(&paths->list, lab, gradebook, &class->worksheet) != 0) {
             return -1;
         }
         class->list = &class->worksheet;
     }
-    lab = lab != NULL ? lab : gradebook->lab;
     if (paths->changes != NULL && lab == NULL) {
         complain("gradebook: %s: not applied, as nothing is graded", paths->changes);
     }
@@ -264,8 +273,9 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
 {
     Class class = {0};
     int result = paths->against != NULL ? gradebook_check_old(paths->against, lab) : 0;
-    if (result == 0 && (paths->worksheet != NULL || paths->who != NULL || paths->changes != NULL ||
-                        paths->due != NULL || paths->late != NULL)) {
+    if (result == 0 &&
+        (paths->list.path != NULL || paths->list.column != NULL || paths->list.decisions != NULL ||
+         paths->changes != NULL || paths->due != NULL || paths->late != NULL)) {
         result = class_load(folder, lab, paths, &class);
     }
     class_free(&class);
@@ -278,12 +288,15 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, i
 {
     const char *folder = gradebook->folder;
     char csv[PATH_MAX], json[PATH_MAX], page[PATH_MAX], hall[PATH_MAX], slides[PATH_MAX];
+    char upload[PATH_MAX];
     path_make(csv, "%s/gradebook.csv", folder);
     path_make(json, "%s/gradebook.json", folder);
     path_make(page, "%s/class.html", folder);
     path_make(hall, "%s/class-no-names.html", folder);
     path_make(slides, "%s/class-slides.html", folder);
-    unlink(hall);  // one that is not asked for again would be of older scores
+    path_make(upload, "%s/upload.csv", folder);
+    // Those that are not asked for again would be of older scores.
+    unlink(hall), unlink(upload);
     LookAlikes look_alikes;
     int n_open = 0;
     if (look_alikes_find(gradebook, &look_alikes) != 0) {
@@ -295,9 +308,10 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, i
                        gradebook_page(gradebook, page, worksheet) != 0 ||
                        gradebook_slides(gradebook, slides) != 0 ||
                        (is_for_hall && gradebook_page_without_names(gradebook, hall) != 0) ||
+                       (worksheet != NULL && upload_csv(gradebook, upload, worksheet) != 0) ||
                        (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
     if (!failed) {
-        summary_print(gradebook, &look_alikes, tally, n_open);
+        summary_print(gradebook, worksheet, &look_alikes, tally, n_open);
     }
     look_alikes_free(&look_alikes);
     return failed ? -1 : 0;
@@ -326,7 +340,8 @@ static int give_back(const char *kind_name, const char *folder, const ListPaths 
     FeedbackKind kind;
     Class class;
     if (feedback_kind_find(kind_name, &kind) != 0) {
-        complain("gradebook: found \"%s\", expected moodle, canvas, folders or mail", kind_name);
+        complain("gradebook: found \"%s\", expected moodle, canvas, ilias, folders or mail",
+                 kind_name);
         return EXIT_FAULT;
     }
     const int failed = class_load(folder, NULL, paths, &class) != 0 ||
@@ -347,13 +362,15 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 12 };
+    enum { SEED = 1, N_ROWS = 14 };
     static const OptionRow rows[N_ROWS] = {
         {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
         [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
         {.name = "commits", .kind = OPTION_FLAG, .place = PLACE(has_commits)},
-        {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.worksheet)},
-        {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
+        {.name = "list", .argument = "PARTICIPANTS", .place = PLACE(paths.list.path)},
+        {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.list.path)},  // older
+        {.name = "column", .argument = "TITLE", .place = PLACE(paths.list.column)},
+        {.name = "who", .argument = "WHO", .place = PLACE(paths.list.decisions)},
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
         {.name = "due", .argument = "DUE", .place = PLACE(paths.due)},
         {.name = "late", .argument = "LATE", .place = PLACE(paths.late)},

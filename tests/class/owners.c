@@ -114,7 +114,8 @@ static void member_enter(Search *search, int row, const Member *member)
         const Participant *participant = &worksheet->participants[i];
         if (fits_key(worksheet, participant, member)) {
             lines_add(&by_key, i + 1);
-            is_named |= fits_member_name(worksheet, participant, member->name);
+            is_named |= fits_member_name(worksheet, participant, member->name) ||
+                        fits_name_with_login(worksheet, participant, member);
         } else if (fits_member_name(worksheet, participant, member->name)) {
             if (fits_other_key(worksheet, participant, member)) {
                 other = i + 1;

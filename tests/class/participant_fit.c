@@ -2,6 +2,7 @@
 #include "participant_fit.h"
 
 #include "complain.h"
+#include "ilias_name.h"
 #include "name_likeness.h"
 
 #include <ctype.h>
@@ -14,8 +15,10 @@
 // Titles as course systems write them in English and in German, and what instructors add.
 static const char *const number_titles[] = {"Identifier", "ID", NULL};
 static const char *const group_titles[] = {"Group", "Gruppe", NULL};
-static const char *const first_titles[] = {"First name", "First Name", "Vorname", NULL};
-static const char *const last_titles[] = {"Surname", "Last name", "Last Name", "Nachname", NULL};
+static const char *const first_titles[] = {"First name", "First Name", "FirstName", "Vorname",
+                                           NULL};
+static const char *const last_titles[] = {"Surname",  "Last name", "Last Name",
+                                          "LastName", "Nachname",  NULL};
 static const char *const name_titles[] = {"Full name", "Vollständiger Name", "Student", NULL};
 static const char *const mail_titles[] = {"Email address", "E-Mail-Adresse", "E-Mail", "Email",
                                           NULL};
@@ -160,7 +163,7 @@ static FullNames full_names(const Worksheet *worksheet, const Participant *parti
     FullNames names = {0};
     snprintf(names.text[0], sizeof names.text[0], "%s",
              cell_of(worksheet, participant, name_titles));
-    if (first[0] != '\0' && last[0] != '\0') {
+    if (first[0] != '\0' || last[0] != '\0') {
         snprintf(names.text[1], sizeof names.text[1], "%s %s", first, last);
         snprintf(names.text[2], sizeof names.text[2], "%s %s", last, first);
     }
@@ -292,17 +295,18 @@ size_t fits_behind_team(const Worksheet *worksheet, const Participant *participa
     return 0;
 }
 
-// Is this "Lovelace_Ada_ada", as ILIAS has names and login in one? Either may have underscores.
-static int is_name_with_login(const Worksheet *worksheet, const Participant *participant,
-                              const Member *member)
+int fits_name_with_login(const Worksheet *worksheet, const Participant *participant,
+                         const Member *member)
 {
     const FullNames names = full_names(worksheet, participant);
     const char *user = cell_of(worksheet, participant, user_titles);
-    char found[2 * ENTRY_NAME_BYTES], wanted[2 * ENTRY_NAME_BYTES];
+    char found[2 * ENTRY_NAME_BYTES], wanted[2 * ENTRY_NAME_BYTES], ascii[2 * ENTRY_NAME_BYTES];
     snprintf(found, sizeof found, "%s %s", member->name, member->login);
     for (int i = 0; i < 3 && user[0] != '\0'; i++) {
         snprintf(wanted, sizeof wanted, "%s %s", names.text[i], user);
-        if (names.text[i][0] != '\0' && is_same_name(wanted, found)) {
+        ilias_name_make(wanted, ascii, sizeof ascii);
+        if (names.text[i][0] != '\0' &&
+            (is_same_name(wanted, found) || is_same_name(ascii, found))) {
             return 1;
         }
     }
@@ -325,7 +329,7 @@ static int is_login(const Worksheet *worksheet, const Participant *participant,
     const char *number = cell_of(worksheet, participant, brightspace_titles);
     return (fits_member_name(worksheet, participant, member->name) &&
             is_same_key(number + (number[0] == '#'), member->login)) ||
-           is_name_with_login(worksheet, participant, member);
+           fits_name_with_login(worksheet, participant, member);
 }
 
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
@@ -354,6 +358,18 @@ int looks_like_participant(const Worksheet *worksheet, const Participant *partic
         }
     }
     return 0;
+}
+
+int has_persons(const Worksheet *worksheet)
+{
+    static const char *const *const titles[] = {number_titles, name_titles, first_titles,
+                                                last_titles,   mail_titles, sid_titles,
+                                                user_titles};
+    size_t i = 0;
+    while (i < sizeof titles / sizeof *titles && worksheet_column(worksheet, titles[i]) < 0) {
+        i++;
+    }
+    return i < sizeof titles / sizeof *titles;
 }
 
 int has_one_domain(const Worksheet *worksheet)

@@ -55,6 +55,11 @@ size_t fits_behind_team(const Worksheet *worksheet, const Participant *participa
 // Has the submitter this e-mail address, this number of the university or this login?
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member);
 
+// Are these the participant's names and login, "Lovelace_Ada_ada", as ILIAS has them in one, perhaps
+// in ASCII (ilias_name.h)? Any of them may have underscores.
+int fits_name_with_login(const Worksheet *worksheet, const Participant *participant,
+                         const Member *member);
+
 // Of a participant without any of the submitter's keys: is one given on both sides, and differs?
 // The login is no such key, as a list may hold one of another system.
 int fits_other_key(const Worksheet *worksheet, const Participant *participant,
@@ -63,6 +68,9 @@ int fits_other_key(const Worksheet *worksheet, const Participant *participant,
 // Does a name, which fits no line, look like that of this one?
 int looks_like_participant(const Worksheet *worksheet, const Participant *participant,
                            const char *name);
+
+// Has the list a column by which a person can be found?
+int has_persons(const Worksheet *worksheet);
 
 // Are all e-mail addresses of the list of one domain?
 int has_one_domain(const Worksheet *worksheet);

@@ -129,12 +129,17 @@ int sheet_load(const char *path, const char *expected, Sheet *sheet)
         }
         return result;
     }
-    const size_t length = fread(text, 1, SHEET_MAX_BYTES, file);
+    size_t length = fread(text, 1, SHEET_MAX_BYTES, file);
     int result = ferror(file) ? fault(path, strerror(errno)) : 0;
     if (result == 0 && length == SHEET_MAX_BYTES) {
         complain("gradebook: %s: too large for %s", path, expected);
         result = -1;
     } else {
+        char *utf8 = sheet_text_from_utf16(text, length, &length);
+        if (utf8 != NULL) {
+            free(text);
+            text = utf8;
+        }
         text[length] = '\0';
     }
     result = result == 0 ? text_parse(path, expected, text, length, sheet) : result;

@@ -3,8 +3,10 @@
 
 #include "utf8.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unicode/ustring.h>
 
 static int begins_with(const SheetText *sheet, const char *start, size_t n_start)
 {
@@ -45,6 +47,25 @@ static size_t line_length(const SheetText *sheet)
     return end != NULL ? (size_t)(end - sheet->text) : sheet->length;
 }
 
+// The sign that parts most cells of a line; of equally frequent ones the first, as Moodle itself
+// writes commas.
+static char most_frequent(const char *line, size_t n_line)
+{
+    static const char signs[] = ",;\t";
+    int n[sizeof signs - 1] = {0}, is_quoted = 0, best = 0;
+    for (size_t i = 0; i < n_line; i++) {
+        const char *sign = strchr(signs, line[i]);
+        is_quoted ^= line[i] == '"';
+        if (!is_quoted && sign != NULL && *sign != '\0') {
+            n[sign - signs]++;
+        }
+    }
+    for (int i = 1; i < (int)sizeof signs - 1; i++) {
+        best = n[i] > n[best] ? i : best;
+    }
+    return signs[best];
+}
+
 // "sep=;" in a line of its own is for Excel, and says it all.
 static char delimiter_take(SheetText *sheet)
 {
@@ -55,13 +76,35 @@ static char delimiter_take(SheetText *sheet)
         skip(sheet, n_line < sheet->length ? n_line + 1 : n_line);
         return delimiter;
     }
-    // The head has the one of these that comes first in this order: Moodle itself writes commas.
-    for (const char *sign = ",;\t"; *sign != '\0'; sign++) {
-        if (memchr(sheet->text, *sign, n_line) != NULL) {
-            return *sign;
-        }
+    return most_frequent(sheet->text, n_line);
+}
+
+char *sheet_text_from_utf16(const char *bytes, size_t length, size_t *n_utf8)
+{
+    const SheetText text = {bytes, length, ','};
+    const int is_little = BEGINS_WITH(&text, "\xFF\xFE");
+    if ((!is_little && !BEGINS_WITH(&text, "\xFE\xFF")) || length % 2 != 0) {
+        return NULL;
     }
-    return ',';
+    const size_t n_units = length / 2 - 1, n_most = 3 * n_units + 1;
+    UChar *units = malloc(n_units * sizeof *units + 1);
+    char *utf8 = malloc(n_most);
+    for (size_t i = 0; units != NULL && i < n_units; i++) {
+        const unsigned char *pair = (const unsigned char *)bytes + 2 + 2 * i;
+        units[i] = (UChar)(pair[!is_little] | pair[is_little] << 8);
+    }
+    UErrorCode status = U_ZERO_ERROR;
+    int32_t n = 0;
+    if (units != NULL && utf8 != NULL) {
+        u_strToUTF8(utf8, (int32_t)n_most, &n, units, (int32_t)n_units, &status);
+    }
+    free(units);
+    if (utf8 == NULL || units == NULL || U_FAILURE(status)) {
+        free(utf8);
+        return NULL;
+    }
+    *n_utf8 = (size_t)n;
+    return utf8;
 }
 
 const char *sheet_text_find(const char *bytes, size_t length, SheetText *sheet)

@@ -35,20 +35,36 @@ static int matches(const char *pattern, const char *text, NamePart parts[MOST_GR
 
 static SystemName read_canvas(const char *entry)
 {
-    NamePart parts[MOST_GROUPS];
+    static const char late[] = "_LATE";
+    NamePart parts[MOST_GROUPS], more[MOST_GROUPS];
     SystemName name = {0};
-    if (!matches("^([^_]+)(_LATE)?_([0-9]+)_([0-9]+)_(.+)$", entry, parts) &&
-        !matches("^([^_]+)(_LATE)?_([0-9]+)_()((text|link)\\.html)$", entry, parts)) {
+    // No number stands between underscores in a name, which may have others: the first ones are ours.
+    const int is_named = matches("_([0-9]+)_([0-9]+)_(.+)$", entry, parts) ||
+                         matches("_([0-9]+)_()((text|link)\\.html)$", entry, parts);
+    // Where submissions are anonymous.
+    const int is_anonymous =
+        matches("^(LATE_)?(anon_[A-Za-z0-9]{5})_[0-9]+_(.+)$", entry, more) ||
+        matches("^(LATE_)?(anon_[A-Za-z0-9]{5})_((text|link)\\.html)$", entry, more);
+    if (is_anonymous && !(is_named && parts[0].text < more[2].text + more[2].length)) {
+        name.system = SYSTEM_CANVAS;
+        name.name = more[2], name.file = more[3];
+        name.is_late = more[1].length > 0;
         return name;
     }
+    int is_late = 0;
+    size_t n_name = is_named ? (size_t)(parts[0].text - entry) : 0;
+    if (n_name >= strlen(late) && strncmp(entry + n_name - strlen(late), late, strlen(late)) == 0) {
+        n_name -= strlen(late);
+        is_late = 1;
+    }
     // A third number: one of the three may be part of a name that somebody chose.
-    NamePart more[MOST_GROUPS];
-    if (matches("^[0-9]+_", parts[5].text, more)) {
+    if (n_name == 0 || matches("^[0-9]+_", parts[3].text, more)) {
         return name;
     }
     name.system = SYSTEM_CANVAS;
-    name.name = parts[1], name.number = parts[3], name.login = parts[3], name.file = parts[5];
-    name.is_late = parts[2].length > 0;
+    name.name = (NamePart){entry, n_name};
+    name.number = parts[1], name.login = parts[1], name.file = parts[3];
+    name.is_late = is_late;
     return name;
 }
 
@@ -144,6 +160,12 @@ SystemName system_name_read(const char *entry, ExportSystem system)
                                                [SYSTEM_BRIGHTSPACE] = read_brightspace,
                                                [SYSTEM_ILIAS] = read_ilias};
     return readers[system] != NULL ? readers[system](entry) : (SystemName){0};
+}
+
+int ilias_name_is_whole(const char *entry)
+{
+    NamePart parts[MOST_GROUPS];
+    return matches("^.+_.*_[^_]+_[0-9]+$", entry, parts);
 }
 
 size_t ilias_time_length(const char *file)

@@ -43,13 +43,18 @@ typedef struct SystemName {
 // Read a name as that system's. One that is not has SYSTEM_NONE.
 //   lovelaceada_40012_880036_file.cl, lovelaceada_LATE_40012_880036_file-1.cl    Canvas
 //   lovelaceada_40012_text.html                                                  Canvas, typed text
+//   anon_x7Q2b_880036_file.cl                                                    Canvas, anonymous
 //   Lab 0_ab12_attempt_2026-11-03-10-22-33_file.cl, ...-33.txt                   Blackboard
 //   40012-880036 - Ada Lovelace - Nov 3, 2026 1022 AM[ - file.cl]                Brightspace (D2L)
 //   Lovelace_Ada_ada_1234                                                        ILIAS, a folder
 SystemName system_name_read(const char *entry, ExportSystem system);
 
-// ILIAS puts the time before each file's name, "20261103102233_17_file.cl". Returns how long that
-// is, or 0.
+// Has a folder's name all four parts of ILIAS', last name, first name, login and number? Of three,
+// "lab_ada_2", only the files in it say that it is ILIAS'.
+int ilias_name_is_whole(const char *entry);
+
+// Older releases of ILIAS put the time before each file's name, "20261103102233_17_file.cl". Returns
+// how long that is, or 0.
 size_t ilias_time_length(const char *file);
 
 #endif

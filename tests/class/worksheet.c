@@ -1,4 +1,4 @@
-// Reading Moodle's lists (see worksheet.h). Read next: owners.c, which finds who is who.
+// Reading lists of participants (see worksheet.h). Read next: owners.c, which finds who is who.
 #include "worksheet.h"
 
 #include "complain.h"
@@ -17,10 +17,6 @@ static int fault(const char *path, const char *what)
 }
 
 // ---- Columns ---------------------------------------------------------------------------------
-
-// Titles as Moodle writes them in English and in German.
-static const char *const grade_titles[] = {"Grade", "Bewertung", NULL};
-static const char *const maximum_titles[] = {"Maximum Grade", "Maximum grade", "Bestwertung", NULL};
 
 int worksheet_has_title(const Worksheet *worksheet, int column, const char *const *titles)
 {
@@ -48,7 +44,9 @@ int worksheet_column(const Worksheet *worksheet, const char *const *titles)
 static int lines_read(Worksheet *worksheet)
 {
     Sheet sheet;
-    if (sheet_load(worksheet->path, "Moodle's list of participants", &sheet) != 0) {
+    static const char expected[] =
+        "a list of participants (Moodle, Canvas, Blackboard, Brightspace)";
+    if (sheet_load(worksheet->path, expected, &sheet) != 0) {
         return -1;
     }
     worksheet->participants = calloc((size_t)sheet.n_lines, sizeof *worksheet->participants);
@@ -66,13 +64,24 @@ static int lines_read(Worksheet *worksheet)
     return 0;
 }
 
+// Of a file without any of the columns that we know nobody can be found in it.
+static int persons_check(const Worksheet *worksheet)
+{
+    return has_persons(worksheet)
+               ? 0
+               : sheet_fault(worksheet->path, 1,
+                             "found no column of names, user names, numbers or addresses, expected "
+                             "one such as \"Full name\", \"Student\", \"Last Name\", "
+                             "\"Username\", \"ID number\" or \"Email\"");
+}
+
 // The maximum that a line has, and its decimal sign; the lab's, where it has none. Returns 0, or -1
 // when there is something else.
 static int maximum_read(const Worksheet *worksheet, const Participant *participant, int max_score,
                         double *most, char *decimal)
 {
     const int column = worksheet->maximum_column;
-    const char *cell = column >= 0 ? participant->cells[column] : "";
+    const char *cell = column >= 0 ? participant->cells[column] : worksheet->maximum;
     *most = max_score;
     *decimal = '.';
     return *cell == '\0' ? 0 : sheet_number_read(cell, most, decimal);
@@ -86,12 +95,13 @@ static int maxima_check(const Worksheet *worksheet)
         char decimal;
         if (maximum_read(worksheet, &worksheet->participants[i], 1, &most, &decimal) != 0 ||
             most <= 0 || most > 1e6) {
-            complain("gradebook: %s: line %d, \"%s\": found \"%s\", expected a number such as 100 "
-                     "or 1000.00",
-                     worksheet->path, i + 1,
-                     worksheet->participants[0].cells[worksheet->maximum_column],
-                     worksheet->participants[i].cells[worksheet->maximum_column]);
-            return -1;
+            const int column = worksheet->maximum_column;
+            const int of_line = column >= 0 ? column : worksheet->grade_column;
+            return sheet_fault(
+                worksheet->path, column >= 0 ? i + 1 : 1,
+                "\"%s\": found the maximum \"%s\", expected a number such as 100 or 1000.00",
+                worksheet->participants[0].cells[of_line],
+                column >= 0 ? worksheet->participants[i].cells[column] : worksheet->maximum);
         }
     }
     return 0;
@@ -112,9 +122,10 @@ static int decisions_take(Worksheet *worksheet, const char *path, const Gradeboo
     return 0;
 }
 
-int worksheet_load(const char *path, const char *decisions, const Gradebook *gradebook,
+int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gradebook,
                    Worksheet *worksheet)
 {
+    const char *path = given->path;
     *worksheet = (Worksheet){.path = path};
     worksheet->n_rows = gradebook->n_rows;
     worksheet->entered = calloc((size_t)gradebook->n_rows + 1, sizeof *worksheet->entered);
@@ -125,11 +136,11 @@ int worksheet_load(const char *path, const char *decisions, const Gradebook *gra
         worksheet_free(worksheet);
         return -1;
     }
-    worksheet->grade_column = worksheet_column(worksheet, grade_titles);
-    worksheet->maximum_column = worksheet_column(worksheet, maximum_titles);
     worksheet->has_one_domain = has_one_domain(worksheet);
-    if (maxima_check(worksheet) != 0 ||
-        (decisions != NULL && decisions_take(worksheet, decisions, gradebook) != 0)) {
+    if (persons_check(worksheet) != 0 ||
+        list_columns_find(worksheet, given->column, lab != NULL ? atoi(lab) : -1) != 0 ||
+        maxima_check(worksheet) != 0 ||
+        (given->decisions != NULL && decisions_take(worksheet, given->decisions, gradebook) != 0)) {
         worksheet_free(worksheet);
         return -1;
     }

@@ -1,11 +1,12 @@
-// Moodle's lists of participants, read and filled: the grading worksheet of an assignment, or the
-// list of a course's participants.
+// A course's list of participants, read and filled: Moodle's grading worksheet, the gradebook that
+// Canvas, Blackboard or Brightspace export, or any other list with names, numbers or addresses.
 //
-// Read next: gradebook_csv.c.
+// Read next: list_columns.h, whose list it is; gradebook_csv.c and upload_csv.h, which fill it.
 #ifndef CLASS_WORKSHEET_H
 #define CLASS_WORKSHEET_H
 
 #include "gradebook.h"
+#include "list_columns.h"
 #include "sheet.h"
 
 typedef struct Participant {
@@ -23,22 +24,34 @@ typedef struct Entered {
     const char *left_out;  // the instructor decided so, in these words; NULL: no
 } Entered;
 
+enum { WORKSHEET_MAXIMUM_BYTES = 48 };
+
 typedef struct Worksheet {
     const char *path;
+    ListSystem system;
     Participant *participants;  // the first is the head, with the columns' titles
     int n_participants;
     int n_columns;
-    int grade_column, maximum_column;  // -1 where there is none
-    int has_one_domain;                // all e-mail addresses are of one
-    Entered *entered;                  // [n_rows] of the gradebook
+    int grade_column, maximum_column;       // -1 where there is none
+    char maximum[WORKSHEET_MAXIMUM_BYTES];  // of all lines; "": that of the line's own column
+    char is_uploaded[SHEET_MAX_COLUMNS];    // which columns the system reads again (upload_csv.h)
+    int has_one_domain;                     // all e-mail addresses are of one
+    Entered *entered;                       // [n_rows] of the gradebook
     int n_rows;
     struct Decisions *decisions;  // the instructor's (decisions.h); NULL: none were given
 } Worksheet;
 
+// Where a list is, and what the instructor says of it.
+typedef struct ListGiven {
+    const char *path;
+    const char *column;     // that takes the grades (list_columns.h), or NULL
+    const char *decisions;  // a file with what the instructor has decided (decisions.h), or NULL
+} ListGiven;
+
 // Read a list and find each participant's row of the gradebook (owners.h).
-//   decisions   a file with what the instructor has decided (decisions.h), or NULL
+//   lab   that was or will be graded, "03-kdtree-2d-render"; NULL: nothing was
 // Returns 0, or -1 after one message on stderr. Release with worksheet_free().
-int worksheet_load(const char *path, const char *decisions, const Gradebook *gradebook,
+int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gradebook,
                    Worksheet *worksheet);
 void worksheet_free(Worksheet *worksheet);
 

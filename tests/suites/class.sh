@@ -203,7 +203,7 @@ check "is a thousand" row "$first" '"Participant 1234567","Ada Lovelace","1000.0
 check "and the grade before is told" said 'line 2 has the grade "40.00" already'
 sheet "$head" 'Participant 1234567;Ada Lovelace;;100 points'
 check "a maximum that is no number" exits 2 run "$first" --moodle "$scratch/moodle.csv"
-check "is named with its line" said 'line 2, "Maximum Grade": found "100 points", expected a number'
+check "is named with its line" said 'line 2: "Maximum Grade": found the maximum "100 points", expected a number'
 sheet 'Identifier;Full name;Note' 'Participant 1234567;Ada Lovelace;'
 check "titles in another language" exits 1 run "$first" --moodle "$scratch/moodle.csv"
 check "those looked for are named" said 'found no column "Grade" or "Bewertung" to fill'

@@ -253,7 +253,7 @@ check "no column of students" exits 2 decided
 check "is named" said 'who.csv: line 1: found no column "student"'
 who "bobby,bob,"
 check "decisions without a list" exits 2 run "$out" --who "$scratch/who.csv"
-check "are refused" said "who.csv: found no list of participants beside it, expected MOODLE="
+check "are refused" said "who.csv: found no list of participants beside it, expected LIST="
 
 check "without decisions" exits 1 run "$out" --moodle "$scratch/list.csv"
 check "five are to be decided" said "5 to be decided by you"

@@ -57,13 +57,6 @@ graded() {
     check "${all##*/}: $2" said "$2"
 }
 
-# own NUMBER: does the line of the list that has this number lead to the student's own file?
-own() {
-    line=$(grep -w -- "$1" "$class.out/gradebook.csv" | grep -v '^,')
-    slug=$(echo "$line" | sed -n 's|.*"students/\([^/]*\)/report.html".*|\1|p')
-    [ "$(cat "$class.out/students/$slug/whose")" = "$1" ] || { echo "$line"; return 1; }
-}
-
 # all_own: everybody's.
 all_own() {
     while IFS=, read -r number _; do
@@ -165,6 +158,8 @@ echo "7" >"$class/mailed.c"
 graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over; 0 with nothing of this lab; 0 to be decided by you"
 all_own
 check "canvas: a file that is nobody's is named" said '"mailed.c"'
+check "canvas: ILIAS would not know whose they are" \
+    sh -c "'$build/tools/gradebook' feedback --list '$class.csv' ilias '$class.out' | grep -q '^0 reports given back, 12 not'"
 check "canvas: everybody gets the own report back, beside the number of a file" \
     given_back canvas feedback-canvas.zip '*_NUMBER_880[01]*_report.html'
 
@@ -215,6 +210,10 @@ list '"Nachname";"Vorname";"Benutzername";"Matrikelnummer"' '"LAST";"FIRST";"LOG
 graded 0 "12 of 12 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
 check "ilias: and which folder that is" said "Übung 3/Abgaben: this folder is graded"
 all_own
+check "ilias: everybody gets the own report back, under ILIAS' number" \
+    given_back ilias feedback-ilias.zip 'multi_feedback/*_NUMBER/report.html'
+check "ilias: in three parts each, and nothing else" \
+    test "$(unzip -Z1 "$class.out/feedback-ilias.zip" | grep -c '^multi_feedback/[A-Za-z -]*_[0-9]*/report.html$')" -eq "$(unzip -Z1 "$class.out/feedback-ilias.zip" | wc -l)"
 rm -r "$class.out"
 graded 0 "12 of 12 graded and entered" "$class/Übung 3/Abgaben"
 all_own

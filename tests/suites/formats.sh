@@ -112,6 +112,11 @@ missing|prairielearn.json|^{"gradable":false,.*gradient.cl: |PrairieLearn: nothi
 wrong|autolab.json|^{"scores":{"gradient":0,"set_arguments":20,|Autolab: the points by task
 hostile|autolab.json|^{"scores":{"gradient":40,"set_arguments":0,|Autolab: ours is the last line
 hostile|github.txt|::Points 80/100$|GitHub: the points
+right|vpl.txt|^Grade :=>> 100$|VPL: full marks
+hostile|vpl.txt|^Grade :=>> 80$|VPL: a crash costs its task
+hostile|vpl.txt|^>.*Bail out!$|VPL: a student's words are quoted
+missing|vpl.txt|^Grade :=>> 0$|VPL: nothing handed in
+fault|vpl.txt|^-No grade$|VPL: a fault says so
 missing|junit.xml| failures="1" errors="0" skipped="5" |JUnit: no check ran, a stage failed
 fault|junit.xml| failures="0" errors="1" |JUnit: a fault is an error
 fault|prairielearn.json|^{"gradable":false,.*The grader could not|PrairieLearn: a fault is no grade
@@ -121,6 +126,12 @@ check "the report tells it" grep -q "^ [0-9.]* times as fast as lab 07's kernel 
     "$scratch/fast.said"
 check "a skeleton has no figure" counts 10-realtime results.json leaderboard 0
 check "nor has a race that never ends" counts endless results.json leaderboard 0
+check "VPL: a fault gives no grade" counts fault vpl.txt '^Grade' 0
+check "VPL: what a student writes is no grade" counts hostile vpl.txt '^Grade' 1
+VPL_GRADEMAX=12.5 $write vpl "$scratch/reports/wrong" $lab
+check "VPL: a part of the activity's grade" says wrong vpl.txt '^Grade :=>> 7.5$'
+VPL_GRADEMAX=ten $write vpl "$scratch/reports/wrong" $lab
+check "VPL: which is no number" says wrong vpl.txt '^Grade :=>> 60$'
 check "GitHub: two annotations" counts hostile github.txt '^::notice title=[A-Za-z ]*::' 2
 check "JUnit: markup of the student's is text" counts hostile junit.xml '<!\[CDATA\[' 0
 
@@ -166,7 +177,7 @@ check "it fails after a fault" made 2 LAB=00-hello-pixels DEVICE=none-such
 check "and the formats say so" grep '^Bail out! 00-hello-pixels: ' "$scratch/build/grade/00/results.tap"
 check "an unknown format is refused" made 2 LAB=00 FORMAT=junit,html
 check "and named, before anything is graded" \
-    grep -x 'formats: found "html", expected some of junit, tap, gradescope, autolab, prairielearn, github' "$scratch/said"
+    grep -x 'formats: found "html", expected some of junit, tap, gradescope, autolab, prairielearn, github, vpl' "$scratch/said"
 check "another lab, too" made 2 LAB=99
 check "by the grader" grep 'found "99", expected the number or name of a lab' "$scratch/said"
 

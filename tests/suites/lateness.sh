@@ -129,7 +129,7 @@ check "minutes" costs "1%/minute,30minutes" "99 0"
 rm -rf "$class"
 mkdir -p "$class"
 touch "$class/lovelaceada_40012_880036_gradient.cl" "$class/rossbob_LATE_40013_880037_gradient.cl" \
-    "$class/shawcarol_40014_880038_gradient.cl"
+    "$class/shawcarol_40014_880038_gradient.cl" "$class/LATE_anon_Ab3dE_880039_gradient.cl"
 check "Canvas marks who was late" exits 0 graded
 check "that counts as one" test "$(of rossbob '.score, .late.is_late')" = "90 true"
 check "the others are in time, as far as anybody knows" test "$(of lovelaceada '.score, .late.is_late')" = "100 false"

@@ -120,7 +120,7 @@ cp "$moodle" "$top/$hostile.csv"
 cp "$scratch/who$hostile" "$top/$hostile.who"
 cp "$scratch/changes$hostile" "$top/$hostile.changes"
 trap 'rm -rf "$scratch" "$trap_file" "./$hostile" "./$hostile.csv" "./$hostile.who" "./$hostile.changes" "./$hostile.out" "./$hostile.tar"' EXIT
-check "and where they are looked for from here" class 2 SUBMISSIONS="$hostile" OUTPUT="$hostile.out" MOODLE="$hostile.csv" \
+check "and where they are looked for from here" class 2 SUBMISSIONS="$hostile" OUTPUT="$hostile.out" LIST="$hostile.csv" \
     WHO="$hostile.who" CHANGES="$hostile.changes"
 check "all is graded, too" grep -q ',100,100,' "./$hostile.out/gradebook.csv"
 (cd solutions/00-hello-pixels && tar -cf "$top/$hostile.tar" .)

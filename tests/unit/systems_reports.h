@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define ALL "junit,tap,gradescope,autolab,prairielearn,github"
+#define ALL "junit,tap,gradescope,autolab,prairielearn,github,vpl"
 
 // A folder of its own for each test; Criterion runs each in a process of its own.
 static char folder[] = "/tmp/test-systems-XXXXXX";
@@ -30,8 +30,8 @@ static inline void folder_make(void)
 static inline void folder_remove(void)
 {
     static const char *const files[] = {
-        "results.json", "pictures.json", "junit.xml", "results.tap",      "gradescope.json",
-        "autolab.txt",  "github.txt",    "said",      "prairielearn.json"};
+        "results.json", "pictures.json", "junit.xml", "results.tap",       "gradescope.json",
+        "autolab.txt",  "github.txt",    "said",      "prairielearn.json", "vpl.txt"};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         char path[64];
         snprintf(path, sizeof path, "%s/%s", folder, files[i]);

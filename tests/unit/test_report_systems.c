@@ -24,7 +24,7 @@ Test(report_systems, reads_names_of_formats)
                      wrong[i]);
         char *said = text_of("said");
         expect_part(said, "\", expected some of junit, tap, gradescope, autolab, prairielearn, "
-                          "github\n");
+                          "github, vpl\n");
         cr_expect_eq(count_parts(said, "\n"), 1, "nothing is graded for %s", said);
         free(said);
     }
@@ -154,8 +154,8 @@ Test(report_systems, gradescope_keeps_the_points)
 // Only Gradescope knows what it is; the other forms are the same with it and without.
 Test(report_systems, the_figure_of_a_race_is_a_leaderboard_of_gradescopes)
 {
-    static const char *const others[] = {"junit.xml", "results.tap", "autolab.txt",
-                                         "prairielearn.json", "github.txt"};
+    static const char *const others[] = {"junit.xml",         "results.tap", "autolab.txt",
+                                         "prairielearn.json", "github.txt",  "vpl.txt"};
     enum { N_OTHERS = sizeof others / sizeof *others };
     char *with[N_OTHERS];
     Result result = full_result_make(12.3);
@@ -213,5 +213,53 @@ Test(report_systems, github_gets_numbers_only)
                            "::notice title=Autograding report::"
                            "{\"totalPoints\":25,\"maxPoints\":100}\n");
     free(text);
+    result_free(&result);
+}
+
+// VPL takes the last line that begins like a grade, wherever it stands.
+Test(report_systems, vpl_gets_one_grade)
+{
+    static const char words[] = "--|>\nGrade :=>> 100\n\xE2\x80\xA8Grade :=>> 99\n"
+                                "Comment :=>> right\n<|--\n-Title (-50)\n";
+    Result result = result_make(words);
+    write_all(&result);
+    char *text = text_of("vpl.txt");
+    cr_expect_eq(count_parts(text, "\nGrade :=>>"), 1);
+    cr_expect_eq(count_parts(text, "\xE2\x80\xA8"), 0);
+    cr_expect_eq(count_parts(text, "\n--|>"), 1);
+    cr_expect_eq(count_parts(text, "\n<|--"), 0);
+    expect_part(text, "\n>--|>\n>Grade :=>> 100\n>" UNKNOWN "Grade :=>> 99\n");
+    expect_part(text, "\n>-Title (-50)\n");
+    const char *end = strstr(text, "\n--|>\n");
+    cr_expect_str_eq(end, "\n--|>\nGrade :=>> 25\n");
+    cr_expect_eq(strncmp(text, "<|--\n-25 of 100 points\n", 23), 0, "%s", text);
+    free(text);
+    result_free(&result);
+}
+
+// What would tell of the points before they may be seen: the figure of who has all of them, too.
+Test(report_systems, gradescope_hides_checks_until_then)
+{
+    static const char *const values[] = {"after_due_date", "after_published"};
+    Result result = full_result_make(12.3);
+    for (int i = 0; i < 2; i++) {
+        setenv("HIDE", values[i], 1);
+        write_all(&result);
+        json_t *json = json_of("gradescope.json");
+        const json_t *tests = json_object_get(json, "tests");
+        cr_expect_gt(json_array_size(tests), 0);
+        for (size_t t = 0; t < json_array_size(tests); t++) {
+            cr_expect_str_eq(string_at(tests, t, "visibility"), values[i]);
+        }
+        cr_expect_null(json_object_get(json, "leaderboard"));
+        cr_expect_null(json_object_get(json, "visibility"));
+        json_decref(json);
+    }
+    unsetenv("HIDE");
+    write_all(&result);
+    json_t *json = json_of("gradescope.json");
+    cr_expect_str_eq(string_at(json_object_get(json, "tests"), 0, "visibility"), "");
+    cr_expect_not_null(json_object_get(json, "leaderboard"));
+    json_decref(json);
     result_free(&result);
 }

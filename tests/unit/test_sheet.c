@@ -3,6 +3,7 @@
 #include "sheet_text.h"
 #include "surroundings.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 Test(sheet_number, as_people_write_them)
@@ -69,6 +70,9 @@ Test(sheet_text, signs_between_cells)
         {"sep=;\r\nName,first;Grade\nA;1\n", "Name", ';'},
         {"\xEF\xBB\xBFsep=\t\nName\tGrade\n", "Name", '\t'},
         {"Name\nA\n", "Name", ','},
+        {"\"a,b,c\"\t\"d,e\"\n", "\"a", '\t'},
+        {"Name;Lab 3, part 1;Lab 4\n", "Name", ';'},
+        {"Name,\"a;b;c;d\"\n", "Name", ','},
         {"sep=", "sep=", ','},
         {"", "", ','},
     };
@@ -101,6 +105,31 @@ Test(sheet_text, what_is_no_table_is_named)
         cr_assert_not_null(said, "%s", rows[i].bytes);
         cr_expect_not_null(strstr(said, rows[i].said), "%s", said);
     }
+}
+
+Test(sheet_text, utf16_becomes_utf8)
+{
+    static const char *const right[] = {"\xFF\xFE"
+                                        "A\0\xFC\0\x3D\xD8\x0A\xDE",
+                                        "\xFE\xFF"
+                                        "\0A\0\xFC\xD8\x3D\xDE\x0A"};
+    for (int i = 0; i < 2; i++) {
+        size_t n = 0;
+        char *utf8 = sheet_text_from_utf16(right[i], 10, &n);
+        cr_assert_not_null(utf8);
+        cr_expect_eq(n, 7);
+        cr_expect_eq(memcmp(utf8, "A\xC3\xBC\xF0\x9F\x98\x8A", 7), 0);
+        free(utf8);
+        // Half a character, then half a unit.
+        cr_expect_null(sheet_text_from_utf16(right[i], 8, &n));
+        cr_expect_null(sheet_text_from_utf16(right[i], 9, &n));
+    }
+    size_t n = 1;
+    char *empty = sheet_text_from_utf16("\xFF\xFE", 2, &n);
+    cr_expect(empty != NULL && n == 0);
+    free(empty);
+    cr_expect_null(sheet_text_from_utf16("Name", 4, &n));
+    cr_expect_null(sheet_text_from_utf16("", 0, &n));
 }
 
 Test(sheet_text, a_byte_that_is_no_character_is_no_text)

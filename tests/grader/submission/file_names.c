@@ -53,6 +53,20 @@ static int is_of_ilias(Part prefix)
            digits_drop(&prefix) == TIME_DIGITS && part_length(prefix) == 0;
 }
 
+// Newer releases of ILIAS: "Late Submission - ", or the same in German.
+static int is_of_ilias_late(Part prefix)
+{
+    static const char *const words[] = {"Late Submission - ", "Verspaetete Abgabe - ",
+                                        "Verspätete Abgabe - "};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        if (strlen(words[i]) == part_length(prefix) &&
+            memcmp(prefix.start, words[i], part_length(prefix)) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 // Canvas: "doejane_12345_678901_", the student, the student's number and the upload's.
 static int is_of_canvas(Part prefix)
 {
@@ -65,7 +79,7 @@ static int is_of_canvas(Part prefix)
 static int is_system_prefix(Part prefix)
 {
     return part_length(prefix) == 0 || is_of_moodle(prefix) || is_of_ilias(prefix) ||
-           is_of_canvas(prefix);
+           is_of_ilias_late(prefix) || is_of_canvas(prefix);
 }
 
 // How far uploads are counted.

@@ -3,7 +3,15 @@
 # Its tests are passed or failed: a check that did not run is a failed one there, and says so.
 # Gradescope escapes text itself; only the pictures are HTML. After a fault nothing is written:
 # without the file Gradescope tells the student that the autograder failed, and gives no points.
+#
+# HIDE in the environment, "after_due_date" or "after_published", hides every check and picture from
+# students until then, and with them the total. What was wrong with the files, or with compiling them,
+# they see at once, as `output`.
 include "words";
+
+def hiding: env.HIDE // "";
+
+def visibility: if hiding == "" then {} else { visibility: hiding } end;
 
 # The documentation names no limit; what fits PrairieLearn's is taken here, too.
 def max_picture_bytes: 400000;
@@ -30,7 +38,7 @@ def check_tests:
 # In labs with a leaderboard, of who has a figure: a column of Gradescope's, in which the largest
 # number comes first. https://gradescope-autograders.readthedocs.io/en/latest/leaderboards/
 def leaderboard:
-  if .leaderboard == null then {}
+  if .leaderboard == null or hiding != "" then {}
   else { leaderboard: [.leaderboard | { name: .title, value, order: "desc" }] } end;
 
 # Tests without points that show a picture each.
@@ -47,7 +55,7 @@ if . == null then
 else
   {
     score, execution_time: (.seconds | round), output: stages_words, output_format: "text",
-    tests: [check_tests, picture_tests],
+    tests: [(check_tests, picture_tests) + visibility],
     extra_data: { lab, seed, device }
   } + leaderboard
 end

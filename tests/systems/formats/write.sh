@@ -22,10 +22,10 @@ names=$formats, wanted=
 while [ -n "$names" ]; do
     name=${names%%,*} names=${names#*,}
     case $name in
-    junit | tap | gradescope | autolab | prairielearn | github) wanted="$wanted $name" ;;
+    junit | tap | gradescope | autolab | prairielearn | github | vpl) wanted="$wanted $name" ;;
     *)
         printf 'formats: found "%s", expected some of %s\n' "$name" \
-            "junit, tap, gradescope, autolab, prairielearn, github" >&2
+            "junit, tap, gradescope, autolab, prairielearn, github, vpl" >&2
         exit 2
         ;;
     esac
@@ -41,7 +41,7 @@ file_of() {
     junit) echo junit.xml ;;
     tap) echo results.tap ;;
     gradescope | prairielearn) printf '%s\n' "$1.json" ;;
-    autolab | github) printf '%s\n' "$1.txt" ;;
+    autolab | github | vpl) printf '%s\n' "$1.txt" ;;
     esac
 }
 
