@@ -33,7 +33,7 @@ is() { [ "$1" = "$2" ] || { echo "found \"$1\", expected \"$2\""; return 1; }; }
 # The text of one task: the solution's without its placeholders and comments.
 solved() { "$build/tools/holes" read "solutions/$1/$2" "$3" | grep -v '^ *//'; }
 # Known answers of a task, right or wrong, one path a line.
-known() { grep -l "^// task: $3\$" tests/"$1"/"$2"/* | sort; }
+known() { grep -l "^// task: $3\$" tests/"$1"/"$2"/* | LC_ALL=C sort; }
 # The N-th line, from 0 and round again.
 nth() { awk -v n="$1" '{ line[NR - 1] = $0 } END { print line[n % NR] }'; }
 text_of() { grep -v '^// \(right\|mutant\|task\|caught by\|says\|looks\|alone\): ' "$1"; }
@@ -179,6 +179,8 @@ check "hostile names and texts" look 0 --lab 03 --submissions "$class" --export 
 listed() { jq -e --arg a "$1" --arg b "$2" '[.pairs[] | [.authors[].name] | sort] | index([[$a, $b]])' "$out/copies.json"; }
 check "a pair of which one is an archive is found" listed "pair2 a" "pair2 b"
 check "a pair of which one has the line ends of DOS" listed dos "innocent 3"
+check "three with one text make two pairs" is \
+    "$(jq '[.pairs[] | select([.authors[].name | . == "comment" or test("Eve|cmd")] | all)] | length' "$out/copies.json")" 2
 check "a name is shown" grep -qF '&lt;b&gt;Eve' "$out/copies.html"
 check "and is no markup" lacks "$out/copies.html" '<b>Eve'
 check "an answer is shown" grep -qF '&lt;script&gt;' "$out/copies.html"
