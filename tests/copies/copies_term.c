@@ -61,6 +61,21 @@ static int term_pairs_compare(const void *left, const void *right)
     return order != 0 ? order : lab_pairs_compare(a->labs, b->labs);
 }
 
+// Put the pairs that are listed first, as in a lab (pairs.h). The others are dropped.
+static void listed_choose(AlikeTerm *all)
+{
+    const int n_persons = all->term.n_persons;
+    int *groups = groups_make(n_persons);
+    for (int i = 0; i < all->n_pairs && all->n_listed < PAIRS_LISTED; i++) {
+        const TermPair pair = all->pairs[i];
+        if (pair.score >= all->level &&
+            groups_connect(groups, n_persons, pair.labs->first, pair.labs->second)) {
+            all->pairs[all->n_listed++] = pair;
+        }
+    }
+    free(groups);
+}
+
 // Put together what belongs to the same two persons.
 static void pairs_add_up(AlikeTerm *all, int n)
 {
@@ -82,10 +97,7 @@ static void pairs_add_up(AlikeTerm *all, int n)
     qsort(all->pairs, (size_t)all->n_pairs, sizeof *all->pairs, term_pairs_compare);
     const double n_persons = all->term.n_persons;
     all->level = log(fmax(1, n_persons * (n_persons - 1) / 2)) + LEVEL_OF_A_LAB * all->term.n_labs;
-    while (all->n_listed < all->n_pairs && all->n_listed < PAIRS_LISTED &&
-           all->pairs[all->n_listed].score >= all->level) {
-        all->n_listed++;
-    }
+    listed_choose(all);
 }
 
 int alike_term_read(const char *build, char *const *folders, int n_folders, AlikeTerm *all)

@@ -25,7 +25,7 @@ typedef struct AlikeTerm {
     Term term;
     Alike *labs;         // [term.n_labs]
     LabPair *lab_pairs;  // those of one pair of persons behind each other
-    TermPair *pairs;     // the most alike first
+    TermPair *pairs;     // the most alike first; behind those that are listed nothing of use
     int n_pairs;
     double level;  // a pair is listed from this sum on
     int n_listed;  // those at the beginning, PAIRS_LISTED at most

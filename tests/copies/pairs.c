@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PAIRS_ROOM = 8 * PAIRS_KEPT };
 
@@ -105,14 +106,50 @@ static void all_compare(const HandedIn *class, const Weights *weights, const Ids
     pairs_cut(pairs);
 }
 
+int *groups_make(int n)
+{
+    int *groups = memory_take(((size_t)n + 1) * sizeof *groups);
+    for (int i = 0; i < n; i++) {
+        groups[i] = i;
+    }
+    return groups;
+}
+
+int groups_connect(int *groups, int n, int first, int second)
+{
+    const int from = groups[second], to = groups[first];
+    for (int i = 0; from != to && i < n; i++) {
+        groups[i] = groups[i] == from ? to : groups[i];
+    }
+    return from != to;
+}
+
+// Put the pairs that are listed first.
+static void listed_choose(const HandedIn *class, Pairs *pairs)
+{
+    Pair listed[PAIRS_LISTED];
+    int *groups = groups_make(class->n_authors);
+    int n_others = 0;
+    for (int i = 0; i < pairs->n; i++) {
+        const Pair pair = pairs->all[i];
+        if (pair.score >= pairs->level && pairs->n_listed < PAIRS_LISTED &&
+            groups_connect(groups, class->n_authors, pair.first, pair.second)) {
+            listed[pairs->n_listed++] = pair;
+        } else {
+            pairs->all[PAIRS_KEPT + n_others++] = pair;  // there is room (PAIRS_ROOM)
+        }
+    }
+    memmove(pairs->all + pairs->n_listed, pairs->all + PAIRS_KEPT,
+            (size_t)n_others * sizeof *pairs->all);
+    memcpy(pairs->all, listed, (size_t)pairs->n_listed * sizeof *pairs->all);
+    free(groups);
+}
+
 // What is listed, and for whom the list would say something.
 static void level_set(const HandedIn *class, const Ids *ids, Pairs *pairs)
 {
     pairs->level = log(pairs->n_compared > 0 ? pairs->n_compared : 1) + CERTAINTY;
-    while (pairs->n_listed < pairs->n && pairs->n_listed < PAIRS_LISTED &&
-           pairs->all[pairs->n_listed].score >= pairs->level) {
-        pairs->n_listed++;
-    }
+    listed_choose(class, pairs);
     for (int i = 0; i < class->n_authors; i++) {
         pairs->own_nats[i] = ids[i].nats;
         pairs->n_tellable += ids[i].nats >= pairs->level;

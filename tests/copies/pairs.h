@@ -1,7 +1,8 @@
 // How alike the answers of any two authors are, over all tasks together.
 //
 // What two authors share weighs as much as all forms of it (weights.h). Among many pairs some are
-// alike by chance, so a pair is listed only from a level on that grows with their number.
+// alike by chance, so a pair is listed only from a level on that grows with their number. Nor is it
+// listed if better pairs connect the two already: five with one text make four pairs and not ten.
 #ifndef COPIES_PAIRS_H
 #define COPIES_PAIRS_H
 
@@ -35,6 +36,11 @@ void pairs_free(Pairs *pairs);
 // Are the answers of this class so short, or so much what everybody writes, that the list says
 // nothing? True where fewer than a quarter are tellable, or where there are too few authors.
 int pairs_are_too_few(const HandedIn *class, const Pairs *pairs);
+
+// Groups of those whom pairs connect: start with each in a group of its own.
+int *groups_make(int n);
+// Connect two. Returns 1, or 0 where others connect them already.
+int groups_connect(int *groups, int n, int first, int second);
 
 // Does an author have the form with this id?
 int author_has(const HandedIn *class, const Author *author, int id);

@@ -33,7 +33,7 @@ is() { [ "$1" = "$2" ] || { echo "found \"$1\", expected \"$2\""; return 1; }; }
 # The text of one task: the solution's without its placeholders and comments.
 solved() { "$build/tools/holes" read "solutions/$1/$2" "$3" | grep -v '^ *//'; }
 # Known answers of a task, right or wrong, one path a line.
-known() { grep -l "^// task: $3\$" tests/"$1"/"$2"/* | sort; }
+known() { grep -l "^// task: $3\$" tests/"$1"/"$2"/* | LC_ALL=C sort; }
 # The N-th line, from 0 and round again.
 nth() { awk -v n="$1" '{ line[NR - 1] = $0 } END { print line[n % NR] }'; }
 text_of() { grep -v '^// \(right\|mutant\|task\|caught by\|says\|looks\|alone\): ' "$1"; }
@@ -105,12 +105,12 @@ pair2 a pair2 b
 pair3 a pair3 b"
 }
 
-for name in $(heart 03-kdtree-2d-render 05-spheres 07-kdtree-3d-trace 03-kdtree-2d-render); do
+for of_all in $(heart 03-kdtree-2d-render 05-spheres 07-kdtree-3d-trace 03-kdtree-2d-render); do
     rm -rf "$out"
-    class_make "$name"
-    check "$name: a class of 25" look 0 --lab "$name" --submissions "$class"
-    check "$name: two renamed texts and one in another order are the first three pairs" planted
-    check "$name: no two with the same known mistake are listed" no_pair 'startswith("mistaken")'
+    class_make "$of_all"
+    check "$of_all: a class of 25" look 0 --lab "$of_all" --submissions "$class"
+    check "$of_all: two renamed texts and one in another order are the first three pairs" planted
+    check "$of_all: no two with the same known mistake are listed" no_pair 'startswith("mistaken")'
 done
 
 # ---- What it says -------------------------------------------------------------------------------
@@ -179,6 +179,8 @@ check "hostile names and texts" look 0 --lab 03 --submissions "$class" --export 
 listed() { jq -e --arg a "$1" --arg b "$2" '[.pairs[] | [.authors[].name] | sort] | index([[$a, $b]])' "$out/copies.json"; }
 check "a pair of which one is an archive is found" listed "pair2 a" "pair2 b"
 check "a pair of which one has the line ends of DOS" listed dos "innocent 3"
+check "three with one text make two pairs" is \
+    "$(jq '[.pairs[] | select([.authors[].name | . == "comment" or test("Eve|cmd")] | all)] | length' "$out/copies.json")" 2
 check "a name is shown" grep -qF '&lt;b&gt;Eve' "$out/copies.html"
 check "and is no markup" lacks "$out/copies.html" '<b>Eve'
 check "an answer is shown" grep -qF '&lt;script&gt;' "$out/copies.html"
@@ -208,6 +210,19 @@ check "where all write the same" look 0 --lab 03 --submissions "$class"
 check "no pair is listed" no_pair true
 check "and the list says that it says nothing" said "too short to tell: only 0 of 8 authors wrote enough that few others wrote"
 check "the page, too" grep -q 'too short to tell' "$out/copies.html"
+for i in 1 2 3 4 5 6 7; do hand_in "author $i" "$lab" own third 0 "$lab"; done
+hand_in "author 8" "$lab" own second 0 "$lab"
+check "where nearly all follow one example" look 0 --lab 03 --submissions "$class"
+check "it makes no pair" no_pair true
+rm -r "$class"
+for i in 1 2 3; do hand_in "author $i" "$lab" everybody "$lab"; done
+# Three have the solution's text, and the others their own.
+for i in 4 5 6 7; do hand_in "author $i" "$lab" innocent $((i * 2)) "$lab"; done
+hand_in "author 8" "$lab" own second 0 "$lab"
+check "three with the solution's text, five with others" look 0 --lab 03 --submissions "$class"
+check "the solution's text makes no pair" no_pair 'test("[123]$")'
+check "they are listed apart" is "$(sed -n '/id="given"/,/<\/div>/p' "$out/copies.html" | grep -o 'author [0-9]' | head -3 | tr '\n' ' ')" \
+    "author 1 author 2 author 3 "
 rm -r "$class/author "[3-8]
 check "two authors" look 0 --lab 03 --submissions "$class"
 check "are too few" grep -q 'Found 2 authors, expected 3 or more' "$out/copies.html"
