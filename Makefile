@@ -8,7 +8,8 @@
 # "$$NAME"; a makefile only asks whether it is set, $(if $(NAME),...), or picks a name of ours with it,
 # $(filter $(NAME),...). The suite static looks for a variable that is missing here.
 FROM_OUTSIDE := LAB SUBMISSION TASK ALL SEED DEVICE TIME_LIMIT FORMAT AT OPTIONS SOLUTION SUBMISSIONS OUTPUT ENGINE ONLY JOBS \
-    AGAIN JSON LIST COLUMN MOODLE WHO CHANGES POINTS DUE LATE FOR AGAINST NOTHING CLASSES EXPORT PASS NEED EXCEL NAMES ROUNDS N ORDER TARGET SECONDS V SANITIZE BUILD
+    AGAIN JSON LIST COLUMN MOODLE HIDE THROTTLE WHO CHANGES POINTS DUE LATE FOR AGAINST NOTHING CLASSES EXPORT PASS NEED EXCEL NAMES ROUNDS N ORDER \
+    TARGET SECONDS V SANITIZE BUILD
 # Whoever sets these names commands: they are the only ones that become text of a recipe.
 FROM_OUTSIDE += CLANG LDFLAGS FUZZ_OPTIONS
 is_from_outside = $(or $(findstring command,$(origin $(1))),$(and $(filter $(1),$(FROM_OUTSIDE)),$(findstring environment,$(origin $(1)))))

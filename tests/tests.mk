@@ -23,7 +23,7 @@ $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libc
 $(OUT)/tools/points: $(call objects,tests/class/points_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 own_points = $(if $(and $(POINTS),$(graded_lab)),$(OUT)/tools/points "$(graded_lab)" "$$POINTS" $(OUT)/own-points.json &&)
-grade pack gradescope autolab prairielearn github: $(if $(POINTS),$(OUT)/tools/points)
+grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(OUT)/tools/points)
 
 grader: $(addprefix $(OUT)/tools/,holes gradebook points term mutants mutate pairs)
 .PHONY: grade-class
@@ -62,12 +62,14 @@ through_formats = $(if $(and $(FORMAT),$(graded_lab)),tests/systems/formats/writ
     "$(OUT)/grade/$(firstword $(subst -, ,$(graded_lab)))" "$(graded_lab)")
 
 # Bundles, in build/systems.
-.PHONY: gradescope autolab prairielearn github
-gradescope:  ## the autograder of LAB=03 for Gradescope (a result in other formats: make grade LAB=03 FORMAT=junit,tap)
+.PHONY: gradescope autolab prairielearn github gitlab vpl
+gradescope:  ## the autograder of LAB=03 for Gradescope [HIDE=after_due_date|after_published] [THROTTLE=5/day] (a result in other formats: make grade LAB=03 FORMAT=junit,tap)
 autolab:  ## the assessment of LAB=03 for Autolab
 prairielearn:  ## the question of LAB=03 for PrairieLearn, and its grader's image
 github:  ## a workflow that grades LAB=03 in a repository on GitHub
-gradescope autolab prairielearn github:
+gitlab:  ## the same for a repository on GitLab
+vpl:  ## what Moodle's VPL needs to grade LAB=03 by its handout
+gradescope autolab prairielearn github gitlab vpl:
 	@$(say_which_lab)
 	@$(own_points) tests/systems/bundle.sh $@ "$$LAB" $(BUILD)/systems $(if $(own_points),$(OUT)/own-points.json)
 

@@ -19,7 +19,7 @@ mkdir "$scratch/copy"
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)
 export SOURCE_DATE_EPOCH
 bundles=$scratch/first/systems
-for bundle in gradescope-00.zip github-00.zip $(heart "" autolab-00.tar autolab-00-image.tar prairielearn-00.zip autolab-07.tar); do
+for bundle in gradescope-00.zip github-00.zip gitlab-00.zip vpl-00.zip $(heart "" autolab-00.tar autolab-00-image.tar prairielearn-00.zip autolab-07.tar); do
     system=${bundle%%-*} number=${bundle#*-} number=${number%%[.-]*}
     check "$bundle" make -s "$system" LAB="${number#0}" BUILD="$scratch/first"
     (umask 077 && cd "$scratch/copy" && TZ=Asia/Tokyo LC_ALL=C.UTF-8 \
@@ -34,7 +34,84 @@ more=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e /m
 [ -z "$more" ]
 ok $? "the bundle of lab 00 holds no solution that it does not need, and no test" "$more"
 
-check "a repository on GitHub keeps its scripts' ends of lines" unzip -l "$bundles/github-00.zip" .gitattributes
+for bundle in github gitlab; do
+    check "a repository on $bundle keeps its scripts' ends of lines" unzip -l "$bundles/$bundle-00.zip" .gitattributes
+done
+more=$(unzip -l "$bundles/vpl-00.zip"; unzip -l "$bundles/gitlab-00.zip"; unzip -l "$bundles/github-00.zip")
+! echo "$more" | grep -e solutions -e judge
+ok $? "what students get holds no solution and no judge"
+
+# ---- What an instructor chooses for Gradescope --------------------------------------------------
+
+# chosen STATUS HIDE THROTTLE: is that taken?
+# shellcheck disable=SC2317 # called by check
+chosen() {
+    # shellcheck disable=SC2016 # for the inner shell
+    status=0 && HIDE=$2 THROTTLE=$3 sh -c '. tests/systems/gradescope/options.sh; check_options' >"$scratch/said" 2>&1 || status=$?
+    [ "$status" -eq "$1" ] || { echo "exit status $status"; cat "$scratch/said"; return 1; }
+}
+for value in "" after_due_date after_published; do check "HIDE=$value" chosen 0 "$value" ""; done
+for value in hidden visible AFTER_PUBLISHED "after_due_date " 'after_due_date";'; do
+    check "HIDE=$value is refused" chosen 2 "$value" ""
+done
+for value in 1/hour 10/day 999/week; do check "THROTTLE=$value" chosen 0 "" "$value"; done
+# shellcheck disable=SC2016 # a value
+for value in 0/day 5 5/ /day 1000/day 5/month 05/day -1/day 5/day/day "5 / day" '5/day|$(id)'; do
+    check "THROTTLE=$value is refused" chosen 2 "" "$value"
+done
+check "no bundle of what is refused" sh -c "! HIDE=never tests/systems/bundle.sh gradescope 00 '$scratch/none'"
+check "and one of what is not" make -s gradescope LAB=00 BUILD="$scratch/chosen" HIDE=after_published THROTTLE=5/day
+# shellcheck disable=SC2016 # a line of the script
+check "has it" sh -c "unzip -p '$scratch/chosen/systems/gradescope-00.zip' run_autograder |
+    grep -qxF 'HIDE=\${HIDE:-after_published} THROTTLE=\${THROTTLE:-5/day}'"
+
+# Four earlier submissions: two at the same moment in two time zones, one that the autograder failed at, and one
+# that was not graded itself.
+cat >"$scratch/metadata.json" <<'END'
+{ "id": 7, "created_at": "2026-11-27T10:00:00.365935-08:00", "assignment": { "due_date": null },
+  "previous_submissions": [
+    { "submission_time": "2026-11-26T09:30:00.000000-08:00", "score": 10, "autograder_error": false,
+      "results": { "score": 10, "tests": [{ "name": "too early" }] } },
+    { "submission_time": "2026-11-26T11:00:00.000000-08:00", "score": 20, "autograder_error": false,
+      "results": { "score": 20, "tests": [] } },
+    { "submission_time": "2026-11-26T20:00:00+01:00", "score": 30,
+      "results": { "tests": [{ "name": "Random scenes", "score": 30, "max_score": 40, "status": "passed" }],
+        "output": "all well", "execution_time": 3, "visibility": "after_published" } },
+    { "submission_time": "2026-11-27T09:50:00-08:00", "score": 0, "autograder_error": true, "results": {} },
+    { "submission_time": "2026-11-27T09:55:00-08:00", "score": 30, "autograder_error": false,
+      "results": { "score": 30, "output": "not graded", "extra_data": { "throttled": true } } },
+    5, null, { "submission_time": "soon", "score": 100, "results": { "score": 100 } } ] }
+END
+
+# instead MOST/WINDOW [FILE]: what the submission gets in place of a result, if it must not be graded.
+# shellcheck disable=SC2317 # called by check
+instead() {
+    # shellcheck disable=SC2016 # for the inner shell
+    THROTTLE=$1 sh -c '. tests/systems/gradescope/options.sh; earlier_result "$1" tests/systems/gradescope/throttle.jq' \
+        sh "${2:-$scratch/metadata.json}" >"$scratch/instead.json" 2>"$scratch/said"
+}
+# shellcheck disable=SC2317 # called by check
+is_graded() { ! instead "$@" && [ ! -s "$scratch/instead.json" ]; }
+check "of three each day it is the third" is_graded 3/day
+check "and graded without a word" [ ! -s "$scratch/said" ]
+check "of two the third" instead 2/day
+check "gets the last result" grep '"score":30,"tests":\[{"name":"Random scenes",' "$scratch/instead.json"
+check "as hidden as that was" grep '"visibility":"after_published"' "$scratch/instead.json"
+check "with what the student must know" grep \
+    '"output":"This submission was not graded: at most 2 submissions each day are. The next one is graded from 2026-11-27 11:00 on. Your points, and what you see below, are those of 2026-11-26 11:00.\\n\\nall well"' \
+    "$scratch/instead.json"
+check "and does not count itself" grep '"extra_data":{"throttled":true}' "$scratch/instead.json"
+check "which obeys the schema" obeys gradescope "$scratch/instead.json"
+check "of three each week the fourth" instead 3/week
+check "of one each hour the first" is_graded 1/hour
+for text in '' '{}' '[]' null 5 '"x"' '{"created_at": "2026-11-27T10:00:00Z"}' '{"created_at": 5, "previous_submissions": [{}]}' \
+    '{"created_at": "2026-11-27T10:00:00Z", "previous_submissions": {"submission_time": "2026-11-27T09:00:00Z"}}' \
+    '{"created_at": "2026-11-27T10:00:00Z", "previous_submissions": [{"submission_time": "2026-11-27T09:00:00Z", "results": {"tests": 5}}]}'; do
+    printf '%s' "$text" >"$scratch/odd.json"
+    check "odd metadata are no limit: $text" is_graded 1/day "$scratch/odd.json"
+done
+check "nor are none" is_graded 1/day "$scratch/none.json"
+check "and the log says so" grep 'none.json cannot be read: graded' "$scratch/said"
 
 # ---- How many processes, and how long -----------------------------------------------------------
 
@@ -117,6 +194,12 @@ check "Gradescope: a right submission" gradescope right 100
 check "Gradescope: a wrong one" gradescope wrong 60
 check "Gradescope: a crashing one" gradescope hostile 80
 check "Gradescope: none" gradescope missing 0
+cp "$scratch/metadata.json" "$root/submission_metadata.json"
+echo '{"score":1}' >"$root/results/results.json"
+check "Gradescope: one submission too many" quietly env AUTOGRADER_ROOT="$root" THROTTLE=2/day "$root/run_autograder"
+cp "$root/results/results.json" "$scratch/gradescope-throttled.json"
+check "Gradescope: keeps its points" grep '^{"score":30,' "$scratch/gradescope-throttled.json"
+rm "$root/submission_metadata.json"
 [ ! -e "$root/source/course/build/obj" ]
 ok $? "the grader is built without what only make needs"
 
@@ -199,9 +282,12 @@ chmod +x "$scratch/bin/sudo"
 check "Autolab: the assessment names the tasks as its problems" \
     grep -A3 -e '^- name: read_back$' "$unpacked/lab00/lab00.yml"
 found=$(tar -tf "$bundles/autolab-00.tar" | grep -v -x -e lab00/ -e lab00/autograde-Makefile \
-    -e lab00/autograde.tar -e lab00/lab00.yml)
+    -e lab00/autograde.tar -e lab00/lab00.yml -e lab00/lab00.rb)
 [ -z "$found" ]
 ok $? "Autolab: the assessment holds nothing else" "$found"
+
+# Releases before 3.0 look for this file, and for a module of this name in it, which they give another one.
+check "Autolab: the module of older releases" [ "$(tr '\n' ' ' <"$unpacked/lab00/lab00.rb")" = "module Lab00 end " ]
 
 # hand_in NAME: what Autolab takes for the feedback, its last line in $scratch/autolab-NAME.json.
 # Autolab's autodriver makes one stream of stdout and stderr.
@@ -317,7 +403,7 @@ mkdir "$repository"
 # In the course's own build folder nothing is to be made otherwise than before.
 check "GitHub: the handout" quietly env -u MAKEFLAGS make -s handout LAB=00 BUILD="${BUILD:-build}"
 tar -xzf "${BUILD:-build}/handout/$lab.tar.gz" -C "$repository" --strip-components 1
-unzip -q "$bundles/github-00.zip" -d "$repository"
+unzip -q -o "$bundles/github-00.zip" -d "$repository"
 named=$(grep -cx -e 'name: Autograding Tests' -e '  run-autograding-tests:' \
     "$repository/.github/workflows/classroom.yml")
 [ "$named" -eq 2 ]
@@ -345,6 +431,64 @@ status=0
 (cd "$repository" && .github/grade.sh) >"$scratch/said" 2>&1 || status=$?
 [ "$status" -eq 2 ] && ! grep -q 'Points' "$scratch/said"
 ok $? "GitHub: a fault of the grader gives no points" "$(cat "$scratch/said")"
+
+# GitLab: the same, by the handout as it was.
+rm -rf "$repository"
+mkdir "$repository"
+tar -xzf "${BUILD:-build}/handout/$lab.tar.gz" -C "$repository" --strip-components 1
+unzip -q -o "$bundles/gitlab-00.zip" -d "$repository"
+# Read by another reader of YAML than GitLab's.
+check "GitLab: the pipeline" sh -c "/usr/bin/python3 -c 'import json, sys, yaml; json.dump(yaml.safe_load(sys.stdin), sys.stdout)' \
+    <'$repository/.gitlab-ci.yml' | jq -e '.grade | .script == [\".gitlab/grade.sh\"] and .artifacts.when == \"always\" and
+        .artifacts.reports.junit == \"build/grade/00/junit.xml\" and .coverage == \"/^Points (\\\\d+)\\\\/100/\"'"
+# gitlab STATUS NAME POINTS: a push as the pipeline grades it; nothing of the student's is in its log.
+# shellcheck disable=SC2317 # called by check
+gitlab() {
+    cp "$scratch/$2"/* "$repository/labs/$lab"
+    status=0
+    (cd "$repository" && .gitlab/grade.sh) >"$scratch/said" 2>&1 || status=$?
+    cat "$scratch/said"
+    [ "$status" -eq "$1" ] && [ "$(cat "$scratch/said")" = \
+        "Points $3/100; the report is among the artifacts of this job, as report.html" ] &&
+        xmllint --noout --schema "$schemas/junit.xsd" "$repository/build/grade/00/junit.xml" &&
+        [ -s "$repository/build/grade/00/report.html" ]
+}
+check "GitLab: a right submission" gitlab 0 right 100
+check "GitLab: a crashing one" gitlab 1 hostile 80
+mv "$repository/labs/$lab/lab.json" "$scratch/lab.json"
+status=0
+(cd "$repository" && .gitlab/grade.sh) >"$scratch/said" 2>&1 || status=$?
+[ "$status" -eq 2 ] && grep -q 'build/grade/00/log among the artifacts' "$scratch/said" &&
+    [ ! -e "$repository/build/grade/00/junit.xml" ] && ! grep -q Points "$scratch/said"
+ok $? "GitLab: a fault of the grader gives no points, and leaves no older report" "$(cat "$scratch/said")"
+mv "$scratch/lab.json" "$repository/labs/$lab"
+
+# VPL: the handout on the jail server, built once; an evaluation in a folder with the student's files.
+unzip -q -o "$bundles/vpl-00.zip" .vpl/'*' -d "$repository"
+check "VPL: the handout is built" quietly make -s -C "$repository" lab-grader LAB=00
+# vpl STATUS NAME GRADE [GRADEMAX]: an evaluation; "" is no grade. VPL's own files are none of the student's.
+# shellcheck disable=SC2317 # called by check
+vpl() {
+    rm -rf "$scratch/jail"
+    cp -R "$scratch/$2" "$scratch/jail"
+    unzip -q "$bundles/vpl-00.zip" vpl_evaluate.sh -d "$scratch/jail"
+    # A student's file may be called as VPL's own line.
+    printf '%s\n' '#!/bin/bash' 'export VPL_SUBFILES="' 'export VPL_GRADEMAX=1000' '"' \
+        "export VPL_GRADEMAX='${4:-100}'" "export VPL_VARIATIONS=( 'a' )" >"$scratch/jail/vpl_environment.sh"
+    (cd "$scratch/jail" && COURSE=$repository ./vpl_evaluate.sh) || return 1
+    status=0
+    (cd "$scratch/jail" && ./vpl_execution) >"$scratch/said" 2>&1 || status=$?
+    cat "$scratch/said"
+    [ "$status" -eq "$1" ] && obeys_vpl "$scratch/said" && ! grep vpl_ "$scratch/said" &&
+        [ "$(sed -n 's/^Grade :=>> //p' "$scratch/said")" = "$3" ]
+}
+check "VPL: a right submission" vpl 0 right 100
+check "VPL: a wrong one, of another highest grade" vpl 0 wrong 6 10
+check "VPL: a crashing one, whose words are no grade" vpl 0 hostile 80
+check "VPL: none" vpl 0 missing 0
+course=$repository
+check "VPL: a killed grader gives no grade" graded_by 'echo "Grade :=>> 100"; kill -9 $$' vpl 2 right ""
+check "VPL: nor does one that is not there" sh -c "rm -r '$repository/build/tools'" && check "and says so" vpl 2 right ""
 
 for system in gradescope autolab prairielearn; do
     check "$system: what its bundle wrote obeys the schema" obeys $system "$scratch/$system"-*.json

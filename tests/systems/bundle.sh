@@ -1,9 +1,11 @@
 #!/bin/sh
 # Pack what one of the systems that courses use needs to grade one lab (tests/systems/README.md).
 #
-#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github LAB FOLDER [MANIFEST]
+#     tests/systems/bundle.sh gradescope|autolab|prairielearn|github|gitlab|vpl LAB FOLDER [MANIFEST]
 #
-# MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c). LAB is a lab's number or name: 3, 03 or 03-kdtree-2d-render.
+# LAB is a lab's number or name: 3, 03 or 03-kdtree-2d-render. MANIFEST takes the place of the lab's lab.json: an
+# instructor's own points (tests/class/points_tool.c). HIDE and THROTTLE in the environment are for Gradescope
+# (gradescope/options.sh).
 #
 # The same sources make the same bytes: names are sorted, owners and rights are fixed, and every
 # time is that of the last commit (or SOURCE_DATE_EPOCH). Only what git tracks is packed.
@@ -11,7 +13,7 @@ set -eu
 umask 022
 export LC_ALL=C TZ=UTC
 
-usage="usage: bundle.sh gradescope|autolab|prairielearn|github LAB FOLDER"
+usage="usage: bundle.sh gradescope|autolab|prairielearn|github|gitlab|vpl LAB FOLDER"
 system=${1:?$usage} wanted=${2:?$usage} folder=${3:?$usage}
 cd "$(dirname "$0")/../.."
 templates=tests/systems/$system
@@ -24,6 +26,9 @@ if [ ! -d "$templates" ] || [ -z "$lab" ]; then
     echo "$usage" >&2
     exit 2
 fi
+# shellcheck source=tests/systems/gradescope/options.sh
+. tests/systems/gradescope/options.sh
+[ "$system" != gradescope ] || check_options || exit 2
 command -v jq >/dev/null || { echo "bundle: jq is not here: install the package jq" >&2 && exit 2; }
 number=${lab%%-*}
 manifest=${4:-solutions/$lab/lab.json}
@@ -57,6 +62,7 @@ copy_course() {
 }
 
 # fill NAME...: replace the @WORDS@ in files of the stage.
+where=
 fill() {
     title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "solutions/$lab/lab.json" | sed 's/[&\\/]/\\&/g')
     files=$(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "solutions/$lab/lab.json" | tr -d ' "')
@@ -66,7 +72,8 @@ fill() {
     for name; do
         sed -i -e "s/@LAB@/$lab/g" -e "s/@NN@/$number/g" -e "s/@TITLE@/$title/g" \
             -e "s/@FILES@/$files/g" -e "s/@UUID@/$uuid/g" \
-            -e "s/@IMAGE@/autograding_lab$number/g" "$stage/$name"
+            -e "s/@IMAGE@/autograding_lab$number/g" -e "s/@SYSTEM@/$system/g" -e "s|@WHERE@|$where|g" \
+            -e "s/@HIDE@/${HIDE:-}/g" -e "s|@THROTTLE@|${THROTTLE:-}|g" "$stage/$name"
     done
 }
 
@@ -106,6 +113,13 @@ write_no_grade() {
         END { print "}}" }'
 }
 
+# pack_repository HOME: what a student's repository needs beside the handout, in a folder of this name.
+pack_repository() {
+    mkdir -p "$stage/$1/formats"
+    cp tests/systems/limits.sh "$stage/$1"
+    cp tests/systems/formats/*.jq tests/systems/formats/write.sh "$stage/$1/formats"
+}
+
 case $folder in /*) ;; *) folder=$PWD/$folder ;; esac
 mkdir -p "$folder"
 bundle=$folder/$system-$number.zip
@@ -113,7 +127,7 @@ case $system in
 gradescope)
     copy_course "$stage/course"
     mv "$stage/course/$templates"/* "$stage"
-    fill setup.sh run_autograder
+    fill setup.sh run_autograder options.sh
     pack_zip "$stage" "$bundle"
     ;;
 autolab)
@@ -131,6 +145,8 @@ autolab)
     mv "$stage/Dockerfile" "$stage/image"
     mv "$stage/autograde-Makefile" "$stage/all/$assessment"
     mv "$stage/assessment.yml" "$stage/all/$assessment/$assessment.yml"
+    # Releases before 3.0 insist on a module of this name.
+    printf 'module Lab%s\nend\n' "$number" >"$stage/all/$assessment/$assessment.rb"
     # Autolab insists on this file; the grader is in the image.
     echo "The grader of $lab is in the image." >"$stage/inner/README"
     pack_tar "$stage/inner" "$stage/all/$assessment/autograde.tar"
@@ -153,12 +169,29 @@ prairielearn)
     pack_zip "$stage" "$bundle"
     ;;
 github)
-    mkdir -p "$stage/.github/workflows" "$stage/.github/formats"
+    where="the summary of this run"
+    pack_repository .github
+    mkdir -p "$stage/.github/workflows"
     cp "$templates/classroom.yml" "$stage/.github/workflows/classroom.yml"
-    cp "$templates/grade.sh" tests/systems/limits.sh "$stage/.github"
+    cp tests/systems/repository.sh "$stage/.github/grade.sh"
     cp .gitattributes "$stage"
-    cp tests/systems/formats/*.jq tests/systems/formats/write.sh "$stage/.github/formats"
     fill .github/workflows/classroom.yml .github/grade.sh
+    pack_zip "$stage" "$bundle"
+    ;;
+gitlab)
+    where="build/grade/$number/log among the artifacts of this job"
+    pack_repository .gitlab
+    cp "$templates/gitlab-ci.yml" "$stage/.gitlab-ci.yml"
+    cp tests/systems/repository.sh "$stage/.gitlab/grade.sh"
+    cp .gitattributes "$stage"
+    fill .gitlab-ci.yml .gitlab/grade.sh
+    pack_zip "$stage" "$bundle"
+    ;;
+vpl)
+    pack_repository .vpl
+    cp "$templates/grade.sh" "$stage/.vpl"
+    cp "$templates/vpl_evaluate.sh" "$stage"
+    fill vpl_evaluate.sh .vpl/grade.sh
     pack_zip "$stage" "$bundle"
     ;;
 esac
