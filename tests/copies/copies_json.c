@@ -18,8 +18,10 @@ static json_t *author_json(const Author *author)
 
 static const char *kind_name(FormKind kind)
 {
-    static const char *const names[] = {
-        [FORM_STATEMENT] = "statement", [FORM_COMMENT] = "comment", [FORM_NAME] = "name"};
+    static const char *const names[] = {[FORM_STATEMENT] = "statement",
+                                        [FORM_COMMENT] = "comment",
+                                        [FORM_NAME] = "name",
+                                        [FORM_BLANKS] = "blanks"};
     return names[kind];
 }
 

@@ -87,11 +87,11 @@ static void table_write(FILE *page, const Alike *alike)
     }
     fprintf(page,
             "<p class=\"soft\">The most alike first, %d at most. A form is a statement without "
-            "its names, its order and its spelling, or a comment, or a name. What the course "
-            "gives does not count. A form weighs the more, the fewer of the class have it. The "
-            "score is the weight of what both have, times its share; pairs are listed from %.1f "
-            "on, which grows with the class. A pair is left out if better ones connect its "
-            "authors already: three with one text make two pairs.</p>\n"
+            "its names, its order and its spelling, or a comment, a name, or odd blanks. What "
+            "the course gives does not count. A form weighs the more, the fewer of the class "
+            "have it. The score is the weight of what both have, times its share; pairs are "
+            "listed from %.1f on, which grows with the class. A pair is left out if better ones "
+            "connect its authors already: three with one text make two pairs.</p>\n"
             "<div class=\"card\"><table>\n<thead><tr><th>Pair</th><th>Author</th><th>Author</th>"
             "<th class=\"number\">Forms that<br>nobody else has</th>"
             "<th class=\"number\">Forms that<br>both have</th>"

@@ -201,7 +201,7 @@ Forms forms_read(const char *answer)
     for (splitter.reads_names = 1; splitter.reads_names >= 0; splitter.reads_names--) {
         statements_read(&splitter);
     }
-    remarks_read(answer, &splitter.forms);
+    remarks_read(answer, &splitter.own, &splitter.forms);
     for (int i = 0; i < splitter.own.n; i++) {
         free(splitter.own.names[i]);
     }

@@ -1,5 +1,5 @@
 // The forms of an answer: what each of its statements comes to when names, order and spelling are
-// taken away, and what else of a text can be alike (its comments, its own names).
+// taken away, and what else of a text can be alike (its comments, its own names, odd blanks).
 //
 //     const uint left = nodes[id].lChild;            "=(_,.([](nodes,id),lChild))" and "uint"
 //     for (uint i = 0; i < n; i++)                   "=(_,0)", "loop <(_,n)", "=(_,+(1,_))"
@@ -10,7 +10,12 @@
 #ifndef COPIES_FORMS_H
 #define COPIES_FORMS_H
 
-typedef enum FormKind { FORM_STATEMENT, FORM_COMMENT, FORM_NAME, N_FORM_KINDS } FormKind;
+typedef enum FormKind {
+    FORM_STATEMENT,
+    FORM_COMMENT,
+    FORM_NAME,    // one that the answer declares
+    FORM_BLANKS,  // blanks where nobody expects them
+} FormKind;
 
 typedef struct Form {
     FormKind kind;

@@ -127,7 +127,7 @@ int groups_connect(int *groups, int n, int first, int second)
 // Put the pairs that are listed first.
 static void listed_choose(const HandedIn *class, Pairs *pairs)
 {
-    Pair listed[PAIRS_LISTED];
+    Pair listed[PAIRS_LISTED] = {0};
     int *groups = groups_make(class->n_authors);
     int n_others = 0;
     for (int i = 0; i < pairs->n; i++) {

@@ -1,8 +1,8 @@
-// Finding comments between the words of a source (see remarks.h).
+// Finding comments and blanks between the words of a source (see remarks.h).
 #include "remarks.h"
 
 #include "form_list.h"
-#include "source_words.h"
+#include "message.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -69,19 +69,52 @@ static void gap_read(Forms *forms, const char *from, const char *to, int line)
     }
 }
 
-void remarks_read(const char *answer, Forms *forms)
+static int is_blank(char character)
+{
+    return character == ' ' || character == '\t';
+}
+
+// The blanks between two words, where they are odd.
+static void blanks_read(Forms *forms, const SourceWord *before, const SourceWord *behind,
+                        const OwnNames *own, int line)
+{
+    const char *from = before->start + before->length;
+    int n = 0, n_tabs = 0;
+    for (; is_blank(from[n]); n++) {
+        n_tabs += from[n] == '\t';
+    }
+    const int at_end = from[n] == '\n' || from[n] == '\r';
+    const int is_next = behind->kind != SOURCE_END && from + n == behind->start;
+    const int is_odd =
+        at_end ? n > 0 : is_next && (n > 1 || (n == 1 && source_is_one_of(behind, "; ,")));
+    if (is_odd) {
+        forms_add(forms, FORM_BLANKS,
+                  message_new("%d blanks, %d tabs, after %s before %s", n - n_tabs, n_tabs,
+                              own_names_have(own, before) ? "_" : before->text,
+                              at_end                        ? "the line's end"
+                              : own_names_have(own, behind) ? "_"
+                                                            : behind->text),
+                  line, line);
+    }
+}
+
+void remarks_read(const char *answer, const OwnNames *own, Forms *forms)
 {
     SourceReader reader = source_reader(answer);
-    const char *last = answer;
+    SourceWord last = {.kind = SOURCE_END, .start = answer};
     int line = 1;
     for (;;) {
         const SourceWord word = source_next(&reader);
-        const char *start = word.kind == SOURCE_END ? last + strlen(last) : word.start;
-        gap_read(forms, last, start, line);
+        const char *from = last.start + last.length;
+        const char *start = word.kind == SOURCE_END ? from + strlen(from) : word.start;
+        if (last.kind != SOURCE_END) {
+            blanks_read(forms, &last, &word, own, line);
+        }
+        gap_read(forms, from, start, line);
         if (word.kind == SOURCE_END) {
             break;
         }
-        line += count_lines(last, word.start + word.length);
-        last = word.start + word.length;
+        line += count_lines(from, word.start + word.length);
+        last = word;
     }
 }

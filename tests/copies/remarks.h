@@ -1,14 +1,17 @@
-// The comments of an answer as forms: two people seldom write the same words, with the same slips.
+// What a compiler does not see of an answer, as forms: two people seldom write the same words, with
+// the same slips, or hit the space bar twice at the same place.
 #ifndef COPIES_REMARKS_H
 #define COPIES_REMARKS_H
 
+#include "expression.h"
 #include "forms.h"
 
 // Add one form. Takes the text over; ends the program when memory runs out.
 void forms_add(Forms *forms, FormKind kind, char *text, int first_line, int last_line);
 
-// Add the comments of an answer. Short ones ("left child") say nothing: three words at least.
+// Add the comments of an answer, and its odd blanks: at the end of a line, before ; and , or
+// several between two words. Short comments ("left child") say nothing: three words at least.
 enum { REMARK_MIN_WORDS = 3 };
-void remarks_read(const char *answer, Forms *forms);
+void remarks_read(const char *answer, const OwnNames *own, Forms *forms);
 
 #endif

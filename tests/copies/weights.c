@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A form that the known answers have is half as telling; so is a name.
-static const double KNOWN_SHARE = 0.5, NAME_SHARE = 0.5;
+// A form that the known answers have is half as telling; so are names and blanks.
+static const double KNOWN_SHARE = 0.5, SMALL_SHARE = 0.5;
 
 enum { OF_KNOWN = -1, OF_COURSE = -2 };
 
@@ -82,7 +82,7 @@ static double nats_of(const Weight *weight, int n_authors)
         return 0;
     }
     return log((double)n_authors / weight->n_authors) * (weight->is_known ? KNOWN_SHARE : 1) *
-           (weight->form->kind == FORM_NAME ? NAME_SHARE : 1);
+           (weight->form->kind >= FORM_NAME ? SMALL_SHARE : 1);
 }
 
 void weights_make(HandedIn *class, Weights *weights)

@@ -96,6 +96,19 @@ Test(copies_forms, of_comments_and_names)
     free(comments), free(names);
 }
 
+Test(copies_forms, of_odd_blanks)
+{
+    char *none = forms_text("  if (x) {\n      f(a, b);  // at the side\n\n    }\r\n", FORM_BLANKS);
+    char *some = forms_text("float a =  1; \nf(a ,b) ;\n\tg();\t\r\n", FORM_BLANKS);
+    cr_expect_str_eq(none, "");
+    cr_expect_str_eq(some, "0 blanks, 1 tabs, after ; before the line's end\n"
+                           "1 blanks, 0 tabs, after ) before ;\n"
+                           "1 blanks, 0 tabs, after ; before the line's end\n"
+                           "1 blanks, 0 tabs, after _ before ,\n"
+                           "2 blanks, 0 tabs, after = before 1\n");
+    free(none), free(some);
+}
+
 Test(copies_forms, stand_at_their_lines)
 {
     Forms forms = forms_read("\n  x = 1;\n  f(a,\n    b);\n  // one two three\n");
