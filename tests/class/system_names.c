@@ -10,8 +10,8 @@ enum { MOST_GROUPS = 8 };
 
 const char *system_title(ExportSystem system)
 {
-    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle",      "Canvas",
-                                                  "Blackboard",   "Brightspace", "ILIAS"};
+    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle", "Canvas", "Blackboard",
+                                                  "Brightspace",  "ILIAS",  "VPL"};
     return titles[system];
 }
 
@@ -148,13 +148,26 @@ static SystemName read_ilias(const char *entry)
     return name;
 }
 
+// Two words at least before the number.
+static SystemName read_vpl(const char *entry)
+{
+    NamePart parts[MOST_GROUPS];
+    SystemName name = {0};
+    if (matches("^(.+ .*) ([0-9]+) ([^ ]+)$", entry, parts)) {
+        name.system = SYSTEM_VPL;
+        name.name = parts[1], name.number = parts[2], name.login = parts[3];
+    }
+    return name;
+}
+
 SystemName system_name_read(const char *entry, ExportSystem system)
 {
     typedef SystemName Reader(const char *entry);
     static Reader *const readers[N_SYSTEMS] = {[SYSTEM_CANVAS] = read_canvas,
                                                [SYSTEM_BLACKBOARD] = read_blackboard,
                                                [SYSTEM_BRIGHTSPACE] = read_brightspace,
-                                               [SYSTEM_ILIAS] = read_ilias};
+                                               [SYSTEM_ILIAS] = read_ilias,
+                                               [SYSTEM_VPL] = read_vpl};
     return readers[system] != NULL ? readers[system](entry) : (SystemName){0};
 }
 

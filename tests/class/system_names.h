@@ -17,6 +17,7 @@ typedef enum ExportSystem {
     SYSTEM_BLACKBOARD,
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
+    SYSTEM_VPL,
     N_SYSTEMS
 } ExportSystem;
 
@@ -46,6 +47,7 @@ typedef struct SystemName {
 //   Lab 0_ab12_attempt_2026-11-03-10-22-33_file.cl, ...-33.txt                   Blackboard
 //   40012-880036 - Ada Lovelace - Nov 3, 2026 1022 AM[ - file.cl]                Brightspace (D2L)
 //   Lovelace_Ada_ada_1234                                                        ILIAS, a folder
+//   Lovelace Ada 1234 ada                                                        VPL, a folder
 SystemName system_name_read(const char *entry, ExportSystem system);
 
 // Has a folder's name all four parts of ILIAS', last name, first name, login and number? Of three,
