@@ -38,7 +38,7 @@ static SystemName read_canvas(const char *entry)
     static const char late[] = "_LATE";
     NamePart parts[MOST_GROUPS], more[MOST_GROUPS];
     SystemName name = {0};
-    // No number stands between underscores in a name, which may have others: the first ones are ours.
+    // A name may have underscores, but no number between two: the first ones are Canvas'.
     const int is_named = matches("_([0-9]+)_([0-9]+)_(.+)$", entry, parts) ||
                          matches("_([0-9]+)_()((text|link)\\.html)$", entry, parts);
     // Where submissions are anonymous.

@@ -54,8 +54,8 @@ SystemName system_name_read(const char *entry, ExportSystem system);
 // "lab_ada_2", only the files in it say that it is ILIAS'.
 int ilias_name_is_whole(const char *entry);
 
-// Older releases of ILIAS put the time before each file's name, "20261103102233_17_file.cl". Returns
-// how long that is, or 0.
+// Older releases of ILIAS put the time before each file's name, "20261103102233_17_file.cl".
+// Returns how long that is, or 0.
 size_t ilias_time_length(const char *file);
 
 #endif
