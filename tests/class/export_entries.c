@@ -50,7 +50,7 @@ static int is_systems(const char *file)
 {
     static const char *const names[] = {
         GRADESCOPE_NAMES_FILE, "archive_filelist.csv", "index.html", ".DS_Store",
-        "Thumbs.db",           "desktop.ini",          NULL};
+        "Thumbs.db",           "desktop.ini",          "Report.txt", NULL};
     return name_is_one_of(file, names) || strncmp(file, "._", 2) == 0;
 }
 

@@ -141,6 +141,19 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
     }
 }
 
+// What the instructor uploads, and where.
+static void upload_print(const Worksheet *worksheet, const char *folder)
+{
+    if (worksheet == NULL || worksheet->grade_column < 0) {
+        return;
+    }
+    const char *words = list_upload_words(worksheet->system);
+    char *title = message_clean(worksheet->participants[0].cells[worksheet->grade_column]);
+    printf("To upload: %s/upload.csv, your list with the column \"%s\" filled in%s%s\n", folder,
+           title, words != NULL ? ": " : "", words != NULL ? words : "");
+    free(title);
+}
+
 // How the class did, for the terminal. The last line counts everybody.
 //   n_open   how many entries who.csv offers to decide
 static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet,
@@ -181,12 +194,7 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
     }
     lateness_tell(gradebook);
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
-    if (worksheet != NULL && worksheet->grade_column >= 0) {
-        const char *words = list_upload_words(worksheet->system);
-        printf("To upload: %s/upload.csv, your list with the column \"%s\" filled in%s%s\n", folder,
-               worksheet->participants[0].cells[worksheet->grade_column], words != NULL ? ": " : "",
-               words != NULL ? words : "");
-    }
+    upload_print(worksheet, folder);
     if (n_open > 0) {
         printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
                "WHO=%s/who.csv\n",

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-// PHP knows the letters of Latin-1 and Greek, and some signs, by names such as "eacute" and "rsquo",
-// of which the first letter stays.
+// PHP knows the letters of Latin-1 and Greek, and some signs, by names such as "eacute" and
+// "rsquo", of which the first letter stays.
 static const struct {
     uint32_t first;
     const char *letters;

@@ -305,8 +305,17 @@ int fits_name_with_login(const Worksheet *worksheet, const Participant *particip
     for (int i = 0; i < 3 && user[0] != '\0'; i++) {
         snprintf(wanted, sizeof wanted, "%s %s", names.text[i], user);
         ilias_name_make(wanted, ascii, sizeof ascii);
-        if (names.text[i][0] != '\0' &&
-            (is_same_name(wanted, found) || is_same_name(ascii, found))) {
+        if (names.text[i][0] == '\0') {
+            continue;
+        }
+        if (is_same_name(wanted, found) || is_same_name(ascii, found)) {
+            return 1;
+        }
+        // VPL writes an underscore for more signs than others.
+        for (char *at = wanted; (at = strpbrk(at, "?.,:*\\<>|/")) != NULL; at++) {
+            *at = '_';
+        }
+        if (is_same_name(wanted, found)) {
             return 1;
         }
     }

@@ -4,7 +4,7 @@
 #ifndef CLASS_SHEET_H
 #define CLASS_SHEET_H
 
-enum { SHEET_MAX_COLUMNS = 512, SHEET_MAX_BYTES = 16 * 1024 * 1024 };
+enum { SHEET_MAX_COLUMNS = 256, SHEET_MAX_BYTES = 16 * 1024 * 1024 };
 
 typedef struct SheetLine {
     char *cells[SHEET_MAX_COLUMNS];

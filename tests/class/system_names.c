@@ -10,8 +10,8 @@ enum { MOST_GROUPS = 8 };
 
 const char *system_title(ExportSystem system)
 {
-    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle",      "Canvas",
-                                                  "Blackboard",   "Brightspace", "ILIAS"};
+    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle", "Canvas", "Blackboard",
+                                                  "Brightspace",  "ILIAS",  "VPL"};
     return titles[system];
 }
 
@@ -38,7 +38,7 @@ static SystemName read_canvas(const char *entry)
     static const char late[] = "_LATE";
     NamePart parts[MOST_GROUPS], more[MOST_GROUPS];
     SystemName name = {0};
-    // No number stands between underscores in a name, which may have others: the first ones are ours.
+    // A name may have underscores, but no number between two: the first ones are Canvas'.
     const int is_named = matches("_([0-9]+)_([0-9]+)_(.+)$", entry, parts) ||
                          matches("_([0-9]+)_()((text|link)\\.html)$", entry, parts);
     // Where submissions are anonymous.
@@ -152,13 +152,26 @@ static SystemName read_ilias(const char *entry)
     return name;
 }
 
+// Two words at least before the number.
+static SystemName read_vpl(const char *entry)
+{
+    NamePart parts[MOST_GROUPS];
+    SystemName name = {0};
+    if (matches("^(.+ .*) ([0-9]+) ([^ ]+)$", entry, parts)) {
+        name.system = SYSTEM_VPL;
+        name.name = parts[1], name.number = parts[2], name.login = parts[3];
+    }
+    return name;
+}
+
 SystemName system_name_read(const char *entry, ExportSystem system)
 {
     typedef SystemName Reader(const char *entry);
     static Reader *const readers[N_SYSTEMS] = {[SYSTEM_CANVAS] = read_canvas,
                                                [SYSTEM_BLACKBOARD] = read_blackboard,
                                                [SYSTEM_BRIGHTSPACE] = read_brightspace,
-                                               [SYSTEM_ILIAS] = read_ilias};
+                                               [SYSTEM_ILIAS] = read_ilias,
+                                               [SYSTEM_VPL] = read_vpl};
     return readers[system] != NULL ? readers[system](entry) : (SystemName){0};
 }
 

@@ -17,6 +17,7 @@ typedef enum ExportSystem {
     SYSTEM_BLACKBOARD,
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
+    SYSTEM_VPL,
     N_SYSTEMS
 } ExportSystem;
 
@@ -47,14 +48,15 @@ typedef struct SystemName {
 //   Lab 0_ab12_attempt_2026-11-03-10-22-33_file.cl, ...-33.txt                   Blackboard
 //   40012-880036 - Ada Lovelace - Nov 3, 2026 1022 AM[ - file.cl]                Brightspace (D2L)
 //   Lovelace_Ada_ada_1234                                                        ILIAS, a folder
+//   Lovelace Ada 1234 ada                                                        VPL, a folder
 SystemName system_name_read(const char *entry, ExportSystem system);
 
 // Has a folder's name all four parts of ILIAS', last name, first name, login and number? Of three,
 // "lab_ada_2", only the files in it say that it is ILIAS'.
 int ilias_name_is_whole(const char *entry);
 
-// Older releases of ILIAS put the time before each file's name, "20261103102233_17_file.cl". Returns
-// how long that is, or 0.
+// Older releases of ILIAS put the time before each file's name, "20261103102233_17_file.cl".
+// Returns how long that is, or 0.
 size_t ilias_time_length(const char *file);
 
 #endif

@@ -1,6 +1,7 @@
 // Filling a list of participants (see upload_csv.h).
 //
-// Lines and columns keep their order, and cells their text. Canvas knows a student again by the ID,
+// Lines and columns keep their order, and cells their text, but what a spreadsheet would take for a
+// formula. Canvas knows a student again by the ID,
 // Moodle by the identifier, Blackboard and Brightspace by the user name.
 #include "upload_csv.h"
 

@@ -92,6 +92,8 @@ check "by its title" choice 1 'Lab 1 (1),Lab 2 (2)' 'the column "Lab 2 (2)" fill
 check "by its title without Canvas' number" choice 1 'Lab 1 (1),Lab 2 (2)' 'the column "Lab 1 (1)" filled in' --column 'Lab 1'
 heart_ends
 
+many=$(seq -s, -f 'Lab %.0f (1)' 100 249)
+check "a course of 150 assignments" choice 1 "$many,Lab 0 (7)" 'the column "Lab 0 (7)" filled in'
 check "a title that is none" choice 2 'Lab 1 (1),Lab 2 (2)' 'found no column of grades "Lab 3"; say which' --column 'Lab 3'
 check "a title without a list" exits 2 run "$class.out" --column 'Lab 3'
 check "is refused" said 'Lab 3: found no list of participants beside it, expected LIST='

@@ -78,7 +78,7 @@ done
 heart_ends
 
 holds_on() { grep -qzF "found \"$text\"" "$said" || grep -qzF "and \"$text\"" "$said" || { cat "$said"; return 1; }; }
-for target in pack gradescope autolab prairielearn github grade-class copies; do
+for target in pack gradescope autolab prairielearn github gitlab vpl grade-class copies; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" SUBMISSIONS="$scratch"
 done
 

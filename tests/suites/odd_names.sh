@@ -1,5 +1,5 @@
 #!/bin/sh
-# Classes of 25 with odd and hostile names, as Canvas, Blackboard, ILIAS and Stud.IP write them into an export, with
+# Classes of 25 with odd and hostile names, as Canvas, Blackboard, ILIAS, Stud.IP and VPL write them into an export, with
 # late and repeated uploads. Nobody is lost, and nobody has another's grade.
 #
 #     sh tests/suites/odd_names.sh      from the top folder, after `make tests`
@@ -11,7 +11,7 @@ check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$b
     --submission solutions/$lab --output "$scratch/right"
 # Beside them it is written down whose file was graded: each holds its student's number.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" 'cat "$submission"/gradient.cl "$submission/gradient (2).cl" "$submission"/*"- gradient.cl" 2>/dev/null | tail -n 1 >"$output/whose"
+stand_in "$scratch/right" 'cat "$submission"/gradient.cl "$submission/gradient (2).cl" "$submission"/*/gradient.cl "$submission"/*"- gradient.cl" 2>/dev/null | tail -n 1 >"$output/whose"
 [ -s "$output/whose" ] || cat "$submission" >"$output/whose"'
 
 # Number, first name, last name, login; the name that Canvas puts before its numbers, and ILIAS' folder. Both were
@@ -115,6 +115,17 @@ all_graded "25 of 33 graded and entered; 0 without submission; 0 passed over; 0 
 studip() { echo "$number" >"$class/[$((number % 7))]_$login.zip"; }
 class_of studip 'Vorname;Nachname;Nutzernamen;Matrikelnummer' '"FIRST";"LAST";"LOGIN";NUMBER' studip
 all_graded "25 of 25 graded and entered; 0 without submission; 0 passed over"
+
+# Moodle's VPL: a folder for each attempt, and what VPL's own evaluation said beside it.
+vpl() {
+    folder="$class/$(printf %s "$last $first $number $login" | tr '?.,:*<>|/' '_________')"
+    mkdir -p "$folder/2026-11-03-10-22-33" "$folder/2026-11-03-10-22-33.ceg"
+    echo "$number" >"$folder/2026-11-03-10-22-33/gradient.cl"
+    echo "Grade :=>> 100" >"$folder/2026-11-03-10-22-33.ceg/execution.txt"
+    echo "Number of users: 25" >"$class/Report.txt"
+}
+class_of vpl 'Vorname,Nachname,Anmeldename,ID-Nummer,Test: Lab 0 (Punkte)' '"FIRST","LAST","LOGIN","NUMBER",' vpl
+all_graded "25 of 25 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
 
 # A class without logins in its list: who has a name that two have in ASCII is left to the instructor.
 class=$scratch/ilias

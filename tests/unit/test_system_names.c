@@ -15,7 +15,7 @@ typedef struct Case {
 static SystemName read_first(const char *entry)
 {
     static const ExportSystem order[] = {SYSTEM_BLACKBOARD, SYSTEM_BRIGHTSPACE, SYSTEM_CANVAS,
-                                         SYSTEM_ILIAS};
+                                         SYSTEM_ILIAS, SYSTEM_VPL};
     SystemName name = {0};
     for (size_t i = 0; i < sizeof order / sizeof *order && name.system == SYSTEM_NONE; i++) {
         name = system_name_read(entry, order[i]);
@@ -58,6 +58,9 @@ Test(system_names, are_taken_apart)
         {"x_40013_40099_880040_file.cl", SYSTEM_NONE, "", "", "", "", ""},
         {"40012-88 - Ada - Okt 3, 2026 1022 PM", SYSTEM_BRIGHTSPACE, "Ada", "40012", "40012", "",
          ""},
+        {"Lovelace Ada 1234 ada", SYSTEM_VPL, "Lovelace Ada", "1234", "ada", "", ""},
+        {"von Weiß 2 Anna 3 1234 anna", SYSTEM_VPL, "von Weiß 2 Anna 3", "1234", "anna", "", ""},
+        {"Team 2 final", SYSTEM_NONE, "", "", "", "", ""},
         {"ada", SYSTEM_NONE, "", "", "", "", ""},
         {"ada_2", SYSTEM_NONE, "", "", "", "", ""},
         {"Lab 0_attempt_2026-11-03-10-22-33_file.cl", SYSTEM_BLACKBOARD, "Lab 0", "", "",
