@@ -23,7 +23,7 @@ $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libc
 $(OUT)/tools/points: $(call objects,tests/class/points_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 own_points = $(if $(and $(POINTS),$(graded_lab)),$(OUT)/tools/points "$(graded_lab)" "$$POINTS" $(OUT)/own-points.json &&)
-grade pack gradescope autolab prairielearn: $(if $(POINTS),$(OUT)/tools/points)
+grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(OUT)/tools/points)
 
 grader: $(addprefix $(OUT)/tools/,holes gradebook points term mutants mutate pairs)
 .PHONY: grade-class
