@@ -7,8 +7,8 @@
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
 //     gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER
 //
-//     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv, --due DUE,
-//           --late LATE
+//     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv,
+//           --due DUE, --late LATE
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
