@@ -1,5 +1,5 @@
-// Any bytes as an answer that is compared with others: its forms stand at lines that it has, none is
-// empty, and a second reading gives the same.
+// Any bytes as an answer that is compared with others: its forms stand at lines that it has, none
+// is empty, and a second reading gives the same.
 #include "fuzz.h"
 
 #include "forms.h"
