@@ -103,8 +103,8 @@ static void term_print(const AlikeTerm *all, const char *page)
                plural((unsigned)pair->n_labs), pair->score);
         free(first), free(second);
     }
-    printf("%d persons, %d labs; %d pairs to look at: see %s\n", all->term.n_persons,
-           all->term.n_labs, all->n_listed, page);
+    printf("%d persons, %d lab%s; %d pairs to look at: see %s\n", all->term.n_persons,
+           all->term.n_labs, plural((unsigned)all->term.n_labs), all->n_listed, page);
 }
 
 static int term_look(const CopiesOptions *options, const char *output, char *const *folders,

@@ -11,6 +11,10 @@
 // Deeper brackets are read as they are written.
 enum { MAX_DEPTH = 100 };
 
+// What `i++` writes twice, as in `i = i + 1`, has at most so many bytes. Of a+++++++... each sign
+// would otherwise double it.
+enum { MAX_TWICE = 200 };
+
 typedef struct Parser {
     const SourceWord *words;
     int at, end;
@@ -190,6 +194,9 @@ static char *primary_read(Parser *parser)
 
 static char *step_form(char *what, const char *sign)
 {
+    if (strlen(what) > MAX_TWICE) {
+        return form_of(sign, what, NULL, 0);
+    }
     char *again = message_new("%s", what);
     char *one = message_new("%s", sign[0] == '+' ? "1" : "-(1)");
     return form_of("=", what, form_of("+", again, one, 1), 0);
@@ -264,8 +271,8 @@ static int level_of(const SourceWord *word)
 // left = right, also of `left += right`.
 static char *assignment_form(const char *sign, char *left, char *right)
 {
-    if (strcmp(sign, "=") == 0) {
-        return form_of("=", left, right, 0);
+    if (strcmp(sign, "=") == 0 || strlen(left) > MAX_TWICE) {
+        return form_of(sign, left, right, 0);
     }
     char operator[4] = "";
     memcpy(operator, sign, strlen(sign) - 1);

@@ -20,7 +20,7 @@ typedef struct Splitter {
 
 void forms_add(Forms *forms, FormKind kind, char *text, int first_line, int last_line)
 {
-    if (forms->n >= FORMS_MAX || text == NULL) {
+    if (forms->n >= FORMS_MAX || text[0] == '\0') {
         free(text);
         return;
     }

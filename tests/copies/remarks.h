@@ -6,7 +6,7 @@
 #include "expression.h"
 #include "forms.h"
 
-// Add one form. Takes the text over; ends the program when memory runs out.
+// Add one form, but no empty one. Takes the text over; running out of memory ends the program.
 void forms_add(Forms *forms, FormKind kind, char *text, int first_line, int last_line);
 
 // Add the comments of an answer, and its odd blanks: at the end of a line, before ; and , or

@@ -1,5 +1,6 @@
 // copies/forms: what does not change a statement's form, and what does.
 #include "forms.h"
+#include "message.h"
 #include "surroundings.h"
 
 #include <stdlib.h>
@@ -150,6 +151,15 @@ Test(copies_forms, of_what_is_no_program)
         forms_free(&forms);
         free(text);
     }
+    // Within the limit of words: what doubled with each sign would not fit into any memory.
+    char *steps = repeated("++", 400);
+    char *sums = repeated("+=1)", 100);
+    char *brackets = repeated("(", 100);
+    char *text = message_new("a%s; %sa%s;", steps, brackets, sums);
+    Forms forms = forms_read(text);
+    cr_expect_eq(forms.n, 2);
+    forms_free(&forms);
+    free(steps), free(sums), free(brackets), free(text);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
         Forms forms = forms_read(whole[i]);
         forms_free(&forms);

@@ -9,7 +9,8 @@
 #include <signal.h>
 
 typedef int Target(const uint8_t *bytes, size_t n_bytes);
-Target fuzz_graded, fuzz_manifest, fuzz_scene3d, fuzz_sections, fuzz_source, fuzz_unpack;
+Target fuzz_forms, fuzz_graded, fuzz_manifest, fuzz_scene3d, fuzz_sections, fuzz_source,
+    fuzz_unpack;
 
 static void input_run(Target *target, const char *path)
 {
@@ -49,6 +50,12 @@ Test(corpus, manifest)
 Test(corpus, sections)
 {
     folder_run(fuzz_sections, "tests/fuzz/corpus/sections/*");
+}
+
+Test(corpus, forms)
+{
+    folder_run(fuzz_forms, "tests/fuzz/corpus/forms/*");
+    folder_run(fuzz_forms, "tests/fuzz/corpus/source/*");
 }
 
 Test(corpus, source)
