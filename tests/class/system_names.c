@@ -57,6 +57,14 @@ static SystemName read_canvas(const char *entry)
         n_name -= strlen(late);
         is_late = 1;
     }
+    // "group_a_03_40012_file" is somebody's own way to name files: few people have underscores in
+    // their names, and few of Canvas' numbers are so short.
+    enum { LEAST_DIGITS = 3 };
+    if (memchr(entry, '_', n_name) != NULL &&
+        (parts[1].length < LEAST_DIGITS ||
+         (parts[2].length > 0 && parts[2].length < LEAST_DIGITS))) {
+        return name;
+    }
     // A third number: one of the three may be part of a name that somebody chose.
     if (n_name == 0 || matches("^[0-9]+_", parts[3].text, more)) {
         return name;

@@ -43,6 +43,8 @@ Test(system_names, are_taken_apart)
         {"LATE_anon_x7Q2b_880036_1_2_3.cl", SYSTEM_CANVAS, "anon_x7Q2b", "", "", "", "1_2_3.cl"},
         {"anon_12345_880036_file.cl", SYSTEM_CANVAS, "anon", "12345", "12345", "", "file.cl"},
         {"anon_x7Q2b_text.html", SYSTEM_CANVAS, "anon_x7Q2b", "", "", "", "text.html"},
+        {"group_a_03_40012_file.cl", SYSTEM_NONE, "", "", "", "", ""},
+        {"group_a_4001_12_file.cl", SYSTEM_NONE, "", "", "", "", ""},
         {"_LATE_40012_880036_file.cl", SYSTEM_NONE, "", "", "", "", ""},
         {"lovelaceada_40012_text.html", SYSTEM_CANVAS, "lovelaceada", "40012", "40012", "",
          "text.html"},
