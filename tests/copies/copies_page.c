@@ -39,8 +39,11 @@ static void reach_write(FILE *page, const Alike *alike)
     } else {
         fprintf(page,
                 "%d of %d authors wrote enough that few others wrote: a second submission with "
-                "the same text would be listed. About the other %d the page says nothing.",
-                pairs->n_tellable, n, n - pairs->n_tellable);
+                "the same text would be listed.",
+                pairs->n_tellable, n);
+        if (pairs->n_tellable < n) {
+            fprintf(page, " About the other %d the page says nothing.", n - pairs->n_tellable);
+        }
     }
     fputs("</p>\n", page);
 }
