@@ -56,7 +56,7 @@ for value in hidden visible AFTER_PUBLISHED "after_due_date " 'after_due_date";'
 done
 for value in 1/hour 10/day 999/week; do check "THROTTLE=$value" chosen 0 "" "$value"; done
 # shellcheck disable=SC2016 # a value
-for value in 0/day 5 5/ /day 1000/day 5/month 05/day -1/day 5/day/day "5 / day" '5/day|$(id)'; do
+for value in 0/day x/week 5x/hour 5 5/ /day 1000/day 5/month 05/day -1/day 5/day/day "5 / day" '5/day|$(id)'; do
     check "THROTTLE=$value is refused" chosen 2 "" "$value"
 done
 check "no bundle of what is refused" sh -c "! HIDE=never tests/systems/bundle.sh gradescope 00 '$scratch/none'"
