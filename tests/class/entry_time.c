@@ -9,16 +9,31 @@
 
 enum { ILIAS_TIME_DIGITS = 14, MOST_FILES = 1000 };
 
-// The last time of the files in a folder of ILIAS's. It writes the times, whatever a student calls
-// the files.
-static void ilias_last(const char *folder, char time[24])
+// The folder of an ILIAS student, whose files ILIAS has named. Returns 0, or -1 for anything else.
+static int ilias_folder(const Export *export, const Found *found, char path[PATH_MAX])
 {
+    if (found->name.system != SYSTEM_ILIAS || !found->is_folder ||
+        !export_is_exact(export, found)) {
+        return -1;
+    }
+    path_make(path, "%s/%s", export->path, found->file);
+    return 0;
+}
+
+// The last time of the files in a folder of ILIAS's, which writes it whatever a student calls them.
+// *is_late: one of them is marked.
+static void ilias_look(const char *folder, char time[24], int *is_late)
+{
+    static const char *const marks[] = {"Late Submission - ", "Verspätete Abgabe - "};
     DIR *entries = opendir(folder);
     struct dirent *entry;
     for (int i = 0; entries != NULL && i < MOST_FILES && (entry = readdir(entries)) != NULL; i++) {
-        if (ilias_time_length(entry->d_name) > 0 &&
-            strncmp(entry->d_name, time, ILIAS_TIME_DIGITS) > 0) {
-            snprintf(time, 24, "%.*s", ILIAS_TIME_DIGITS, entry->d_name);
+        const char *name = entry->d_name;
+        if (ilias_time_length(name) > 0 && strncmp(name, time, ILIAS_TIME_DIGITS) > 0) {
+            snprintf(time, 24, "%.*s", ILIAS_TIME_DIGITS, name);
+        }
+        for (size_t m = 0; m < sizeof marks / sizeof *marks; m++) {
+            *is_late |= strncmp(name, marks[m], strlen(marks[m])) == 0;
         }
     }
     if (entries != NULL) {
@@ -29,13 +44,23 @@ static void ilias_last(const char *folder, char time[24])
 char *entry_time(const Export *export, const Found *found)
 {
     char path[PATH_MAX], time[24] = "";
+    int is_late = 0;
     if (found->submitters != NULL) {
         return strdup(found->submitters->time);
     }
-    if (found->name.system == SYSTEM_ILIAS && found->is_folder && export_is_exact(export, found)) {
-        path_make(path, "%s/%s", export->path, found->file);
-        ilias_last(path, time);
+    if (ilias_folder(export, found, path) == 0) {
+        ilias_look(path, time, &is_late);
         return strdup(time);
     }
     return strdup(export_is_exact(export, found) ? found->name.time : "");
+}
+
+int entry_is_late(const Export *export, const Found *found)
+{
+    char path[PATH_MAX], time[24] = "";
+    int is_late = export_is_exact(export, found) && found->name.is_late;
+    if (ilias_folder(export, found, path) == 0) {
+        ilias_look(path, time, &is_late);
+    }
+    return is_late;
 }

@@ -9,4 +9,8 @@
 // in the student's folder, where the last one counts. Owned, free() it; NULL when memory runs out.
 char *entry_time(const Export *export, const Found *found);
 
+// Did the system mark the attempt as late? Canvas does in the names of files, a newer ILIAS, which
+// writes no times, before the name of each file in the student's folder.
+int entry_is_late(const Export *export, const Found *found);
+
 #endif

@@ -96,7 +96,7 @@ static int entrant_add(Roster *roster, const Export *export, int begin, int end,
     Entrant *entrant = &roster->entrants[roster->n_entrants];
     *entrant = (Entrant){.name = strdup(found->name.name),
                          .time = entry_time(export, found),
-                         .is_late = export_is_exact(export, found) && found->name.is_late,
+                         .is_late = entry_is_late(export, found),
                          .number = strdup(found->name.number),
                          .entry = strdup(entry),
                          .slug = slug_new(roster, found),

@@ -159,6 +159,11 @@ touch "$class/Lovelace_Ada_ada_1234/20261125235959_17_gradient.cl" \
 check "ILIAS writes them before files" exits 0 graded
 check "the last one counts" is Ross_Bob 90 28860
 check "not what a student calls a file" is Shaw_Carol 100 0
+entries Lovelace_Ada_ada_1234 Ross_Bob_bob_1235 Shaw_Carol_carol_1236
+mv "$class/Ross_Bob_bob_1235/gradient.cl" "$class/Ross_Bob_bob_1235/Late Submission - gradient.cl"
+check "a newer ILIAS writes only a mark" exits 0 graded
+check "that counts as one" test "$(of Ross_Bob '.score, .late.is_late')" = "90 true"
+check "without it one is in time" test "$(of Lovelace_Ada '.score, .late.is_late')" = "100 false"
 
 entries submission_1 submission_2 submission_3
 cat >"$class/submission_metadata.yml" <<'END'
