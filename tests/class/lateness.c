@@ -171,7 +171,7 @@ static time_t due_of(const Lateness *lateness, const Gradebook *gradebook, const
     return moment_read(text, &extended) == 0 && extended > lateness->due ? extended : lateness->due;
 }
 
-// ---- A row ---------------------------------------------------------------------------------------
+// ---- A row -------------------------------------------------------------------------------------
 
 const LateRow *lateness_of(const Gradebook *gradebook, const Row *row)
 {

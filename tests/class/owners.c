@@ -147,12 +147,9 @@ static void member_enter(Search *search, int row, const Member *member)
 static int team_enter(Search *search, int row, const Entrant *entrant)
 {
     const Worksheet *worksheet = search->worksheet;
-    int n = 0, stranger = 0, numbered = 0;
+    int n = 0, stranger = 0;
     for (int i = 1; i < worksheet->n_participants; i++) {
         Participant *participant = &worksheet->participants[i];
-        if (fits_number(worksheet, participant, entrant->number) == NUMBER_SAME) {
-            numbered = i + 1;
-        }
         if (fits_group(worksheet, participant, entrant->name)) {
             participant->is_fitted = 1;
             n++;
@@ -162,12 +159,6 @@ static int team_enter(Search *search, int row, const Entrant *entrant)
     }
     if (n > 0 && stranger > 0) {
         say_why(search, row, "is a group of the list and also fits its line %d", stranger);
-        return n;
-    }
-    // Somebody may have chosen the name of a group.
-    if (n > 0 && numbered > 0 &&
-        !fits_group(worksheet, &worksheet->participants[numbered - 1], entrant->name)) {
-        say_why(search, row, "is a group of the list, but its number is that of line %d", numbered);
         return n;
     }
     for (int i = 1; n > 0 && i < worksheet->n_participants; i++) {

@@ -140,8 +140,8 @@ static SystemName read_brightspace(const char *entry)
                                     at + 3, parts)) {
             continue;
         }
-        // Of two times the one that ends a folder's name is Brightspace's. Before a file's name either
-        // may be part of a name that somebody chose.
+        // Of two times the one that ends a folder's name is Brightspace's. Before a file's name
+        // either may be part of a name that somebody chose.
         if (name.system == SYSTEM_BRIGHTSPACE && parts[5].length > 0) {
             name.time[0] = '\0';
             break;
