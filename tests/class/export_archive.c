@@ -5,6 +5,7 @@
 #include "complain.h"
 #include "contents.h"
 #include "entry_name.h"
+#include "export_entries.h"
 #include "path.h"
 #include "settings.h"
 #include "unpack_run.h"
@@ -18,25 +19,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// What a Mac adds, and what every folder has.
-static int is_extra(const char *name)
-{
-    static const char *const names[] = {".", "..", ".DS_Store", "__MACOSX"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(name, names[i]) == 0) {
-            return 1;
-        }
-    }
-    return strncmp(name, "._", 2) == 0;
-}
-
 static int is_folder(const char *path)
 {
     struct stat status;
     return lstat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-// The folder that is the only entry of a folder: its name, or "" where there is none.
+// The folder that is the only entry of a folder, beside what no student hands in: its name, or ""
+// where there is none.
 static void only_folder(const char *folder, char name[NAME_MAX + 1])
 {
     char path[PATH_MAX];
@@ -45,7 +35,7 @@ static void only_folder(const char *folder, char name[NAME_MAX + 1])
     struct dirent *entry;
     name[0] = '\0';
     while (entries != NULL && n < 2 && (entry = readdir(entries)) != NULL) {
-        if (!is_extra(entry->d_name)) {
+        if (!export_is_extra(entry->d_name)) {
             n++;
             snprintf(name, NAME_MAX + 1, "%s", entry->d_name);
         }
@@ -69,7 +59,7 @@ static int holds_several(const char *folder)
     while (entries != NULL && n < 2 && (entry = readdir(entries)) != NULL) {
         path_make(path, "%s/%s", folder, entry->d_name);
         // A student's own may hold ".git" and ".vscode".
-        n += entry->d_name[0] != '.' && !is_extra(entry->d_name) &&
+        n += entry->d_name[0] != '.' && !export_is_extra(entry->d_name) &&
              (archive_stem_length(entry->d_name) > 0 || is_folder(path));
     }
     if (entries != NULL) {

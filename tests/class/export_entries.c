@@ -54,6 +54,11 @@ static int is_systems(const char *file)
     return name_is_one_of(file, names) || strncmp(file, "._", 2) == 0;
 }
 
+int export_is_extra(const char *file)
+{
+    return is_nobody(file) || is_systems(file);
+}
+
 // Does a folder hold files that ILIAS has named by their times?
 static int holds_ilias_files(int parent, const char *file)
 {

@@ -13,6 +13,9 @@
 int export_entries_read(Export *export, int lab_number, int n_most);
 void export_entries_free(Export *export);
 
+// Is it what an unpacker, a desktop or a course system puts beside the entries, by its name?
+int export_is_extra(const char *file);
+
 // Say what is wrong with a folder. Returns -1.
 int export_fault(const char *path, const char *what);
 

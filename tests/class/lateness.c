@@ -122,7 +122,7 @@ void lateness_free(Lateness *lateness)
 // The column of a list that says when, the instructor's own before Moodle's; -1: none.
 static int time_column(const Worksheet *worksheet)
 {
-    static const char *const own[] = {"handed in", NULL};
+    static const char *const own[] = {"handed in", "abgegeben", NULL};
     static const char *const moodle[] = {"Last modified (submission)", "Zuletzt geändert (Abgabe)",
                                          NULL};
     if (worksheet == NULL) {

@@ -12,21 +12,6 @@
 #include <unicode/unorm2.h>
 #include <unicode/ustring.h>
 
-// Titles as course systems write them in English and in German, and what instructors add.
-static const char *const number_titles[] = {"Identifier", "ID", NULL};
-static const char *const group_titles[] = {"Group", "Gruppe", NULL};
-static const char *const first_titles[] = {"First name", "First Name", "FirstName", "Vorname",
-                                           NULL};
-static const char *const last_titles[] = {"Surname",  "Last name", "Last Name",
-                                          "LastName", "Nachname",  NULL};
-static const char *const name_titles[] = {"Full name", "Vollständiger Name", "Student", NULL};
-static const char *const mail_titles[] = {"Email address", "E-Mail-Adresse", "E-Mail", "Email",
-                                          NULL};
-static const char *const sid_titles[] = {"ID number",  "ID-Nummer",    "Matrikelnummer",
-                                         "Student ID", "OrgDefinedId", NULL};
-static const char *const user_titles[] = {
-    "Username", "Anmeldename",  "Benutzername",    "Nutzername", "Nutzernamen",
-    "Login",    "SIS Login ID", "GitHub username", "GitHub",     NULL};
 // Whose "ID" is the number that Canvas writes into names of files.
 static const char *const canvas_titles[] = {"SIS Login ID", "SIS User ID", NULL};
 
@@ -76,6 +61,29 @@ static int is_same_name(const char *first, const char *second)
         right = name_byte(&b);
     }
     return left == right && left == '\0';
+}
+
+// "Lovelace, Ada" as "Ada Lovelace"; "" where there is no comma.
+static void name_turn(const char *name, char turned[ENTRY_NAME_BYTES])
+{
+    const char *comma = strchr(name, ',');
+    const char *first = comma != NULL ? comma + 1 + strspn(comma + 1, " _") : "";
+    turned[0] = '\0';
+    if (first[0] != '\0' && comma > name) {
+        snprintf(turned, ENTRY_NAME_BYTES, "%s %.*s", first, (int)(comma - name), name);
+    }
+}
+
+// Are these the same name, either of them perhaps with the last name first and a comma behind it?
+static int is_same_person(const char *cell, const char *name)
+{
+    char turned[ENTRY_NAME_BYTES];
+    name_turn(name, turned);
+    if (is_same_name(cell, name) || (turned[0] != '\0' && is_same_name(cell, turned))) {
+        return 1;
+    }
+    name_turn(cell, turned);
+    return turned[0] != '\0' && is_same_name(turned, name);
 }
 
 // A name without what a zip program may have mangled: only its ASCII, and none of the escapes that
@@ -143,59 +151,9 @@ static size_t words_length(const char *cell)
 
 // ---- What fits a participant -------------------------------------------------------------------
 
-// The participant's cell in the first column of such a title, "" where there is none.
-static const char *cell_of(const Worksheet *worksheet, const Participant *participant,
-                           const char *const *titles)
-{
-    const int column = worksheet_column(worksheet, titles);
-    return column >= 0 ? participant->cells[column] : "";
-}
-
-// The forms of a full name that a list may give: as one, or from two columns. Each may be "".
-typedef struct FullNames {
-    char text[3][512];
-} FullNames;
-
-static FullNames full_names(const Worksheet *worksheet, const Participant *participant)
-{
-    const char *first = cell_of(worksheet, participant, first_titles);
-    const char *last = cell_of(worksheet, participant, last_titles);
-    FullNames names = {0};
-    snprintf(names.text[0], sizeof names.text[0], "%s",
-             cell_of(worksheet, participant, name_titles));
-    if (first[0] != '\0' || last[0] != '\0') {
-        snprintf(names.text[1], sizeof names.text[1], "%s %s", first, last);
-        snprintf(names.text[2], sizeof names.text[2], "%s %s", last, first);
-    }
-    return names;
-}
-
-void participant_name(const Worksheet *worksheet, const Participant *participant,
-                      char name[ENTRY_NAME_BYTES])
-{
-    const FullNames names = full_names(worksheet, participant);
-    snprintf(name, ENTRY_NAME_BYTES, "%s",
-             names.text[0][0] != '\0' ? names.text[0] : names.text[1]);
-}
-
-const char *participant_number(const Worksheet *worksheet, const Participant *participant)
-{
-    return cell_of(worksheet, participant, number_titles);
-}
-
-const char *participant_address(const Worksheet *worksheet, const Participant *participant)
-{
-    return cell_of(worksheet, participant, mail_titles);
-}
-
-const char *participant_sid(const Worksheet *worksheet, const Participant *participant)
-{
-    return cell_of(worksheet, participant, sid_titles);
-}
-
 int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name)
 {
-    const char *group = cell_of(worksheet, participant, group_titles);
+    const char *group = participant_cell(worksheet, participant, CELL_GROUP);
     return group[0] != '\0' && is_same_name(group, name);
 }
 
@@ -205,7 +163,7 @@ int fits_full_name(const Worksheet *worksheet, const Participant *participant, c
     int fits = 0;
     for (int i = 0; i < 3 && name[0] != '\0'; i++) {
         const char *text = names.text[i];
-        fits = fits || (text[0] != '\0' && is_same_name(text, name));
+        fits = fits || (text[0] != '\0' && is_same_person(text, name));
     }
     return fits;
 }
@@ -233,10 +191,10 @@ int fits_name(const Worksheet *worksheet, const Participant *participant, const 
     }
     for (int i = 0; i < worksheet->n_columns; i++) {
         const char *cell = participant->cells[i];
-        if ((worksheet_has_title(worksheet, i, mail_titles) &&
+        if ((column_is(worksheet, i, CELL_MAIL) &&
              is_mail(cell, name, worksheet->has_one_domain)) ||
-            (worksheet_has_title(worksheet, i, sid_titles) && is_same_key(cell, name)) ||
-            (worksheet_has_title(worksheet, i, user_titles) && is_same_key(cell, name))) {
+            ((column_is(worksheet, i, CELL_SID) || column_is(worksheet, i, CELL_USER)) &&
+             is_same_key(plain_key(cell), plain_key(name)))) {
             return 1;
         }
     }
@@ -246,7 +204,7 @@ int fits_name(const Worksheet *worksheet, const Participant *participant, const 
 NumberFit fits_number(const Worksheet *worksheet, const Participant *participant,
                       const char *number)
 {
-    const char *cell = cell_of(worksheet, participant, number_titles);
+    const char *cell = participant_cell(worksheet, participant, CELL_NUMBER);
     const size_t n_words = words_length(cell);
     if (number[0] == '\0' || cell[n_words] == '\0') {
         return NUMBER_UNKNOWN;
@@ -260,7 +218,7 @@ NumberFit fits_number(const Worksheet *worksheet, const Participant *participant
 int fits_as_numbered(const Worksheet *worksheet, const Participant *participant,
                      const Entrant *entrant)
 {
-    const char *cell = cell_of(worksheet, participant, number_titles);
+    const char *cell = participant_cell(worksheet, participant, CELL_NUMBER);
     char words[128];
     const size_t n_words = words_length(cell);
     snprintf(words, sizeof words, "%.*s", (int)n_words, cell);
@@ -299,7 +257,7 @@ int fits_name_with_login(const Worksheet *worksheet, const Participant *particip
                          const Member *member)
 {
     const FullNames names = full_names(worksheet, participant);
-    const char *user = cell_of(worksheet, participant, user_titles);
+    const char *user = participant_cell(worksheet, participant, CELL_USER);
     char found[2 * ENTRY_NAME_BYTES], wanted[2 * ENTRY_NAME_BYTES], ascii[2 * ENTRY_NAME_BYTES];
     snprintf(found, sizeof found, "%s %s", member->name, member->login);
     for (int i = 0; i < 3 && user[0] != '\0'; i++) {
@@ -333,33 +291,38 @@ static int is_login(const Worksheet *worksheet, const Participant *participant,
         return 0;
     }
     if (worksheet_column(worksheet, canvas_titles) >= 0) {
-        return is_same_key(cell_of(worksheet, participant, id_titles), member->login);
+        return is_same_key(cell_at(participant, worksheet_column(worksheet, id_titles)),
+                           member->login);
     }
-    const char *number = cell_of(worksheet, participant, brightspace_titles);
+    const char *number = cell_at(participant, worksheet_column(worksheet, brightspace_titles));
     return (fits_member_name(worksheet, participant, member->name) &&
-            is_same_key(number + (number[0] == '#'), member->login)) ||
+            is_same_key(plain_key(number), member->login)) ||
            fits_name_with_login(worksheet, participant, member);
 }
 
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
 {
-    return is_same_key(cell_of(worksheet, participant, mail_titles), member->email) ||
-           is_same_key(cell_of(worksheet, participant, sid_titles), member->sid) ||
+    return is_same_key(participant_cell(worksheet, participant, CELL_MAIL), member->email) ||
+           is_same_key(participant_sid(worksheet, participant), plain_key(member->sid)) ||
            is_login(worksheet, participant, member);
 }
 
 int fits_other_key(const Worksheet *worksheet, const Participant *participant, const Member *member)
 {
-    return (member->email[0] != '\0' && cell_of(worksheet, participant, mail_titles)[0] != '\0') ||
-           (member->sid[0] != '\0' && cell_of(worksheet, participant, sid_titles)[0] != '\0');
+    return (member->email[0] != '\0' &&
+            participant_cell(worksheet, participant, CELL_MAIL)[0] != '\0') ||
+           (member->sid[0] != '\0' &&
+            participant_cell(worksheet, participant, CELL_SID)[0] != '\0');
 }
 
 int looks_like_participant(const Worksheet *worksheet, const Participant *participant,
                            const char *name)
 {
-    static const char *const *const titles[] = {name_titles, user_titles, mail_titles};
-    for (size_t t = 0; t < sizeof titles / sizeof *titles; t++) {
-        const char *cell = cell_of(worksheet, participant, titles[t]);
+    const int columns[] = {participant_column(worksheet, CELL_NAME),
+                           participant_column(worksheet, CELL_USER),
+                           participant_column(worksheet, CELL_MAIL)};
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++) {
+        const char *cell = cell_at(participant, columns[i]);
         char local[ENTRY_NAME_BYTES];
         snprintf(local, sizeof local, "%.*s", (int)strcspn(cell, "@"), cell);
         if (name_looks_like(name, local)) {
@@ -369,24 +332,12 @@ int looks_like_participant(const Worksheet *worksheet, const Participant *partic
     return 0;
 }
 
-int has_persons(const Worksheet *worksheet)
-{
-    static const char *const *const titles[] = {number_titles, name_titles, first_titles,
-                                                last_titles,   mail_titles, sid_titles,
-                                                user_titles};
-    size_t i = 0;
-    while (i < sizeof titles / sizeof *titles && worksheet_column(worksheet, titles[i]) < 0) {
-        i++;
-    }
-    return i < sizeof titles / sizeof *titles;
-}
-
 int has_one_domain(const Worksheet *worksheet)
 {
     const char *first = NULL;
     for (int i = 1; i < worksheet->n_participants; i++) {
         const char *domain =
-            strchr(cell_of(worksheet, &worksheet->participants[i], mail_titles), '@');
+            strchr(participant_cell(worksheet, &worksheet->participants[i], CELL_MAIL), '@');
         if (domain != NULL && first != NULL && strcasecmp(domain, first) != 0) {
             return 0;
         }
@@ -399,5 +350,5 @@ int is_no_person(const Worksheet *worksheet, const Participant *participant)
 {
     static const char *const id_titles[] = {"ID", NULL};
     return worksheet_column(worksheet, canvas_titles) >= 0 &&
-           cell_of(worksheet, participant, id_titles)[0] == '\0';
+           cell_at(participant, worksheet_column(worksheet, id_titles))[0] == '\0';
 }

@@ -4,21 +4,13 @@
 #define CLASS_PARTICIPANT_FIT_H
 
 #include "entry_name.h"
-#include "worksheet.h"
-
-// What the list says of a participant: the full name; the course system's number, "Participant 12";
-// the e-mail address; the university's number. "" where there is none.
-void participant_name(const Worksheet *worksheet, const Participant *participant,
-                      char name[ENTRY_NAME_BYTES]);
-const char *participant_number(const Worksheet *worksheet, const Participant *participant);
-const char *participant_address(const Worksheet *worksheet, const Participant *participant);
-const char *participant_sid(const Worksheet *worksheet, const Participant *participant);
+#include "participant_cells.h"
 
 // Is the entry's name that of the participant's group, where the list has a column of groups?
 int fits_group(const Worksheet *worksheet, const Participant *participant, const char *name);
 
-// Is the participant called so in full? As names of files have it, and whichever way Unicode writes
-// an accent.
+// Is the participant called so in full? As names of files have it, whichever way Unicode writes an
+// accent, and also as "Lovelace, Ada".
 int fits_full_name(const Worksheet *worksheet, const Participant *participant, const char *name);
 
 // Would Canvas call the participant so, "lovelaceada"? From any other system it may be somebody's
@@ -68,9 +60,6 @@ int fits_other_key(const Worksheet *worksheet, const Participant *participant,
 // Does a name, which fits no line, look like that of this one?
 int looks_like_participant(const Worksheet *worksheet, const Participant *participant,
                            const char *name);
-
-// Has the list a column by which a person can be found?
-int has_persons(const Worksheet *worksheet);
 
 // Are all e-mail addresses of the list of one domain?
 int has_one_domain(const Worksheet *worksheet);

@@ -9,6 +9,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 static int fault(const char *path, const char *what)
 {
@@ -21,7 +22,7 @@ static int fault(const char *path, const char *what)
 int worksheet_has_title(const Worksheet *worksheet, int column, const char *const *titles)
 {
     const char *title = worksheet->participants[0].cells[column];
-    while (*titles != NULL && strcmp(title, *titles) != 0) {
+    while (*titles != NULL && strcasecmp(title, *titles) != 0) {
         titles++;
     }
     return *titles != NULL;

@@ -55,7 +55,8 @@ int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gra
                    Worksheet *worksheet);
 void worksheet_free(Worksheet *worksheet);
 
-// Has a column one of these titles, a list that ends with NULL? And the first that has, or -1.
+// Has a column one of these titles, a list that ends with NULL, in small letters or capitals? And
+// the first column that has, or -1.
 int worksheet_has_title(const Worksheet *worksheet, int column, const char *const *titles);
 int worksheet_column(const Worksheet *worksheet, const char *const *titles);
 
