@@ -150,13 +150,14 @@ static void undecided_write(FILE *page, const Gradebook *gradebook, const Worksh
             continue;
         }
         if (n++ == 0) {
-            fputs("<h2 class=\"section\" id=\"undecided\">Whose is it?</h2>\n"
-                  "<p class=\"soft\">The list does not say for certain who handed these in, so they "
-                  "are entered for nobody. <code>who.csv</code>, in this folder or where you gave "
-                  "it, has a line for each: write the student there, and give the file as "
-                  "<code>WHO=</code>.</p>\n"
-                  "<div class=\"card\"><table><tbody>\n",
-                  page);
+            fputs(
+                "<h2 class=\"section\" id=\"undecided\">Whose is it?</h2>\n"
+                "<p class=\"soft\">The list does not say for certain who handed these in, so they "
+                "are entered for nobody. <code>who.csv</code>, in this folder or where you gave "
+                "it, has a line for each: write the student there, and give the file as "
+                "<code>WHO=</code>.</p>\n"
+                "<div class=\"card\"><table><tbody>\n",
+                page);
         }
         listed_write(page, row, worksheet->entered[i].why_not);
     }
