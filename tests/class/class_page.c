@@ -48,12 +48,14 @@ static void fact_write(FILE *page, const char *name, const char *value)
 static void facts_write(FILE *page, const Gradebook *gradebook)
 {
     int *scores = calloc((size_t)gradebook->n_rows + 1, sizeof *scores);
-    int n = 0;
+    int n = 0;  // those that count: an earlier attempt is no other student's
+    int n_graded = 0;
     int n_full = 0;
     double sum = 0;
     for (int i = 0; scores != NULL && i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row_is_graded(row)) {
+        n_graded += row_is_graded(row);
+        if (row_is_graded(row) && row_that_counts(gradebook, row) == row) {
             scores[n++] = row->score;
             sum += row->score;
             n_full += row->score == gradebook->max_score;
@@ -63,9 +65,9 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     fputs("<dl class=\"facts\">\n", page);
     snprintf(value, sizeof value, "%d", gradebook->n_rows);
     fact_write(page, "Submissions", value);
-    if (n + gradebook->n_nothing < gradebook->n_rows) {
+    if (n_graded + gradebook->n_nothing < gradebook->n_rows) {
         fprintf(page, "<div><dt>Not graded</dt><dd class=\"short\">%d</dd></div>\n",
-                gradebook->n_rows - n - gradebook->n_nothing);
+                gradebook->n_rows - n_graded - gradebook->n_nothing);
     }
     if (n > 0) {
         qsort(scores, (size_t)n, sizeof *scores, scores_compare);
@@ -150,13 +152,14 @@ static void undecided_write(FILE *page, const Gradebook *gradebook, const Worksh
             continue;
         }
         if (n++ == 0) {
-            fputs("<h2 class=\"section\" id=\"undecided\">Whose is it?</h2>\n"
-                  "<p class=\"soft\">The list does not say for certain who handed these in, so they "
-                  "are entered for nobody. <code>who.csv</code>, in this folder or where you gave "
-                  "it, has a line for each: write the student there, and give the file as "
-                  "<code>WHO=</code>.</p>\n"
-                  "<div class=\"card\"><table><tbody>\n",
-                  page);
+            fputs(
+                "<h2 class=\"section\" id=\"undecided\">Whose is it?</h2>\n"
+                "<p class=\"soft\">The list does not say for certain who handed these in, so they "
+                "are entered for nobody. <code>who.csv</code>, in this folder or where you gave "
+                "it, has a line for each: write the student there, and give the file as "
+                "<code>WHO=</code>.</p>\n"
+                "<div class=\"card\"><table><tbody>\n",
+                page);
         }
         listed_write(page, row, worksheet->entered[i].why_not);
     }

@@ -37,8 +37,9 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
         return;
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
-        if (row_is_graded(&gradebook->rows[i])) {
-            const int count = ++counts[bar_of(gradebook, gradebook->rows[i].score)];
+        const Row *row = &gradebook->rows[i];
+        if (row_is_graded(row) && row_that_counts(gradebook, row) == row) {
+            const int count = ++counts[bar_of(gradebook, row->score)];
             most = count > most ? count : most;
         }
     }
@@ -317,18 +318,20 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
           "<div class=\"card\">\n",
           page);
     for (int i = 0; i < gradebook->n_checks; i++) {
-        int n_passed = 0;
+        int n_passed = 0, n_counted = 0;
         for (int r = 0; r < gradebook->n_rows; r++) {
-            n_passed += gradebook->rows[r].passed[i];
+            const Row *row = &gradebook->rows[r];
+            const int counts = row_is_graded(row) && row_that_counts(gradebook, row) == row;
+            n_counted += counts;
+            n_passed += counts && row->passed[i];
         }
         fputs("<div class=\"count\"><div>", page);
         html_line(page, gradebook->checks[i].title);
         fputs(" <code class=\"soft\">", page);
         html_line(page, gradebook->checks[i].id);
         fputs("</code></div>", page);
-        html_score_bar(page, n_passed, gradebook->n_graded);
-        fprintf(page, "<span class=\"number\">%d of %d</span></div>\n", n_passed,
-                gradebook->n_graded);
+        html_score_bar(page, n_passed, n_counted);
+        fprintf(page, "<span class=\"number\">%d of %d</span></div>\n", n_passed, n_counted);
     }
     fputs("</div>\n", page);
 }

@@ -72,7 +72,7 @@ static int pair_find(const json_t *pictures)
 static void picture_write(FILE *page, const json_t *picture, const char *caption)
 {
     fprintf(page, "<figure><figcaption>%s</figcaption><img alt=\"\" src=\"", caption);
-    html_line(page, json_string_value(json_object_get(picture, "url")));
+    html_picture_uri(page, json_string_value(json_object_get(picture, "url")));
     fputs("\"></figure>\n", page);
 }
 
@@ -124,7 +124,7 @@ static void slide_write(FILE *page, const Gradebook *gradebook, const Manifest *
     fputs("</h2>\n<div class=\"row\"><div>\n<p class=\"cause\">", page);
     html_line(page, class_failure_words(failure, 0));
     fputs("</p>\n", page);
-    if (task != NULL && !failure->rows[0]->is_hidden[failure->check]) {
+    if (task != NULL) {
         fputs("<p class=\"hint\"><b>Hint</b> ", page);
         html_line(page, manifest_hint(task, check->id));
         fputs("</p>\n", page);
@@ -136,12 +136,14 @@ static void slide_write(FILE *page, const Gradebook *gradebook, const Manifest *
     fputs("</div></section>\n", page);
 }
 
-// The mistakes that get a slide: those of the judge that most made, at most five. Returns how many.
+// The mistakes that get a slide: those of the judge that most made, at most five, and none of a
+// hidden check. Returns how many.
 static int slides_choose(const Failures *failures, const Failure *chosen[MOST_SLIDES])
 {
     int n = 0;
     for (int i = 0; i < failures->n_failures && n < MOST_SLIDES; i++) {
-        if (failures->failures[i].check >= 0) {
+        const Failure *failure = &failures->failures[i];
+        if (failure->check >= 0 && !failure->rows[0]->is_hidden[failure->check]) {
             chosen[n++] = &failures->failures[i];
         }
     }

@@ -31,6 +31,16 @@ static int points_read(const char *text, Correction *correction)
     return 0;
 }
 
+// "24.12.2026", as a German spreadsheet writes it, becomes "2026-12-24" in its place.
+static void day_settle(char *text)
+{
+    if (strlen(text) == 10 && text[2] == '.' && text[5] == '.') {
+        const char day[] = {text[6], text[7], text[8], text[9], '-', text[3],
+                            text[4], '-',     text[0], text[1], '\0'};
+        memcpy(text, day, sizeof day);
+    }
+}
+
 static int is_day(const char *text)
 {
     static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
@@ -199,6 +209,9 @@ static int line_read(Corrections *corrections, const Manifest *manifest, const G
 {
     // What it owns is freed with the others, also when it is refused.
     Correction *correction = &corrections->all[corrections->n];
+    if (columns[UNTIL] >= 0) {
+        day_settle(line->cells[columns[UNTIL]]);
+    }
     *correction = (Correction){.line = (int)(line - corrections->sheet.lines) + 1,
                                .comment = text_clean(cell_of(line, columns[COMMENT])),
                                .until = cell_of(line, columns[UNTIL])};

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ILIAS_TIME_DIGITS = 14, MOST_FILES = 1000 };
+enum { ILIAS_TIME_DIGITS = 14 };
 
 // The folder of an ILIAS student, whose files ILIAS has named. Returns 0, or -1 for anything else.
 static int ilias_folder(const Export *export, const Found *found, char path[PATH_MAX])
@@ -27,7 +27,7 @@ static void ilias_look(const char *folder, char time[24], int *is_late)
     static const char *const marks[] = {"Late Submission - ", "Verspätete Abgabe - "};
     DIR *entries = opendir(folder);
     struct dirent *entry;
-    for (int i = 0; entries != NULL && i < MOST_FILES && (entry = readdir(entries)) != NULL; i++) {
+    while (entries != NULL && (entry = readdir(entries)) != NULL) {
         const char *name = entry->d_name;
         if (ilias_time_length(name) > 0 && strncmp(name, time, ILIAS_TIME_DIGITS) > 0) {
             snprintf(time, 24, "%.*s", ILIAS_TIME_DIGITS, name);

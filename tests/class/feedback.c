@@ -1,18 +1,15 @@
-// Packing reports for those whose they are (see feedback.h).
+// Packing reports for those whose they are (see feedback.h). Read next: feedback_report.c.
 //
 // Names become parts of paths here, in an archive or a folder: only letters and digits of ASCII are
 // kept of them (plain_name()), and what tells two apart is the system's number or the slug.
 #include "feedback.h"
 
 #include "complain.h"
-#include "corrections.h"
 #include "csv_cell.h"
 #include "folder.h"
-#include "lateness.h"
 #include "output_file.h"
 #include "participant_fit.h"
 #include "path.h"
-#include "text_file.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -35,41 +32,6 @@ int feedback_kind_find(const char *name, FeedbackKind *kind)
         }
     }
     return -1;
-}
-
-static int is_late(const Gradebook *gradebook, const Row *row)
-{
-    const LateRow *late = lateness_of(gradebook, row);
-    return late != NULL && lateness_is_late(late);
-}
-
-char *feedback_comment(const Gradebook *gradebook, const Row *row)
-{
-    char *comment = NULL;
-    size_t length;
-    FILE *text = row_is_graded(row) ? open_memstream(&comment, &length) : NULL;
-    if (text == NULL) {
-        return NULL;
-    }
-    fprintf(text, "%d of %d points:", row->score, gradebook->max_score);
-    for (int i = 0; i < gradebook->n_tasks; i++) {
-        const Column *task = &gradebook->tasks[i];
-        fprintf(text, "%s %s %d/%d", i > 0 ? "," : "", task->id, row->points[i], task->max_points);
-    }
-    if (row->fault != NULL) {
-        fprintf(text, ". First fault: %s%s%s", row->fault, row->is_fault_hidden ? "" : ": ",
-                row->is_fault_hidden ? "" : row->fault_message);
-    }
-    if (corrections_has(gradebook, row)) {
-        fputs(". Corrected by hand: ", text);
-        corrections_write(text, gradebook, row, NULL);
-    }
-    if (is_late(gradebook, row)) {
-        fputs(". Late: ", text);
-        lateness_write(text, gradebook, row);
-    }
-    fclose(text);
-    return comment;
 }
 
 // ---- Who gets what ------------------------------------------------------------------------------
@@ -110,9 +72,15 @@ static void plain_name(const char *name, char plain[NAME_BYTES])
     plain[n] = '\0';
 }
 
-static void report_path(const Giving *giving, const Row *row, char path[PATH_MAX])
+// A line for each, up to so many: they mostly have one reason.
+static void not_given(Giving *giving, const Row *row, const char *why)
 {
-    path_make(path, "%s/students/%s/report.html", giving->gradebook->folder, row->entrant->slug);
+    enum { MOST_LINES = 20 };
+    if (giving->n_unknown++ < MOST_LINES) {
+        printf("not given back: %s: %s\n", row->entrant->label, why);
+    } else if (giving->n_unknown == MOST_LINES + 1) {
+        puts("not given back: others, too");
+    }
 }
 
 // Returns 0, or -1 after one message.
@@ -121,9 +89,9 @@ static int parcel_hand(Giving *giving, const Parcel *parcel)
     const int given = giving->give(giving, parcel);
     giving->n_given += given > 0;
     if (given == 0) {
-        giving->n_unknown++;
-        printf("not given back: %s: %s\n", parcel->row->entrant->label,
-               giving->list != NULL ? "there is no address" : "the system's number is not known");
+        not_given(giving, parcel->row,
+                  giving->list != NULL ? "there is no address"
+                                       : "the system's number is not known");
     }
     return given < 0 ? -1 : 0;
 }
@@ -160,6 +128,14 @@ static int participants_hand(Giving *giving, const Worksheet *worksheet)
             result = parcel_hand(giving, &parcel);
         }
     }
+    for (int i = 0; i < giving->gradebook->n_rows && result == 0; i++) {
+        const Row *row = &giving->gradebook->rows[i];
+        if (worksheet->entered[i].n_participants == 0 && row->status != ROW_NOT_GRADED &&
+            worksheet->entered[i].left_out == NULL &&
+            row_that_counts(giving->gradebook, row) == row) {
+            not_given(giving, row, "it is entered for nobody of the list");
+        }
+    }
     return result;
 }
 
@@ -179,74 +155,12 @@ static int all_hand(Giving *giving, const Worksheet *worksheet)
     return result;
 }
 
-// ---- Reports ------------------------------------------------------------------------------------
-
-// The section that a report gets behind its head where its points have changed since.
-static void changes_section_write(FILE *report, const Gradebook *gradebook, const Row *row)
-{
-    fprintf(report, "<section id=\"corrections\"><h2 class=\"section\">%s</h2>\n<p>",
-            corrections_has(gradebook, row) ? "Corrected by hand" : "Handed in late");
-    if (row->score != row->graded_score) {
-        fprintf(report, "%d of %d points instead of %d. ", row->score, gradebook->max_score,
-                row->graded_score);
-    }
-    if (is_late(gradebook, row)) {
-        fputs("This was ", report);
-        lateness_write(report, gradebook, row);
-        fputs(". ", report);
-    }
-    fputs("What follows is the grader's report.</p>\n", report);
-    if (corrections_has(gradebook, row)) {
-        fputs("<div class=\"card\"><table><thead><tr><th>Change</th><th>Comment</th>"
-              "<th>More time until</th></tr></thead><tbody>\n",
-              report);
-        corrections_rows_write(report, gradebook, row);
-        fputs("</tbody></table></div>\n", report);
-    }
-    fputs("</section>\n", report);
-}
-
-// A row's report with what has changed its points: the bytes and how many, owned by the caller.
-// NULL after one message.
-static char *report_read(const Giving *giving, const Row *row, size_t *n_bytes)
-{
-    char path[PATH_MAX];
-    report_path(giving, row, path);
-    char *report = text_file_read(path);
-    if (report == NULL) {
-        return NULL;
-    }
-    *n_bytes = strlen(report);
-    // Names and messages are escaped in a report: the first such mark is the grader's own.
-    static const char head_end[] = "</header>\n";
-    const char *rest = strstr(report, head_end);
-    const int is_changed =
-        corrections_has(giving->gradebook, row) || is_late(giving->gradebook, row);
-    if (!is_changed || rest == NULL) {
-        return report;
-    }
-    rest += sizeof head_end - 1;
-    char *corrected = NULL;
-    FILE *stream = open_memstream(&corrected, n_bytes);
-    if (stream != NULL) {
-        fwrite(report, 1, (size_t)(rest - report), stream);
-        changes_section_write(stream, giving->gradebook, row);
-        fputs(rest, stream);
-        fclose(stream);
-    }
-    free(report);
-    if (corrected == NULL) {
-        complain("gradebook: %s: out of memory", path);
-    }
-    return corrected;
-}
-
 // Returns 0, or -1 after one message.
 static int report_copy(const Giving *giving, const Row *row, const char *to)
 {
     size_t n_bytes;
     OutputFile output;
-    char *report = report_read(giving, row, &n_bytes);
+    char *report = feedback_report(giving->gradebook, row, &n_bytes);
     int result = report != NULL ? output_file_open(&output, to) : -1;
     if (result == 0) {
         fwrite(report, 1, n_bytes, output.file);
@@ -264,15 +178,15 @@ static int zip_put(Giving *giving, const Row *row, const char *name)
     size_t n_bytes;
     char from[PATH_MAX];
     struct stat status;
-    report_path(giving, row, from);
-    char *report = report_read(giving, row, &n_bytes);
+    feedback_report_path(giving->gradebook, row, from);
+    char *report = feedback_report(giving->gradebook, row, &n_bytes);
     if (report == NULL) {
         return -1;
     }
     struct archive_entry *entry = archive_entry_new();
     int failed = entry == NULL || stat(from, &status) != 0;
     if (!failed) {
-        archive_entry_set_pathname(entry, name);
+        archive_entry_set_pathname_utf8(entry, name);
         archive_entry_set_size(entry, (la_int64_t)n_bytes);
         archive_entry_set_filetype(entry, AE_IFREG);
         archive_entry_set_perm(entry, 0644);
@@ -354,6 +268,7 @@ static int zip_write(Giving *giving, const Worksheet *worksheet, const char *pat
     }
     giving->zip = archive_write_new();
     int failed = giving->zip == NULL || archive_write_set_format_zip(giving->zip) != ARCHIVE_OK ||
+                 archive_write_set_options(giving->zip, "hdrcharset=UTF-8") != ARCHIVE_OK ||
                  archive_write_open_FILE(giving->zip, output.file) != ARCHIVE_OK;
     failed = failed || all_hand(giving, worksheet) != 0;
     if (giving->zip != NULL && archive_write_close(giving->zip) != ARCHIVE_OK && !failed) {

@@ -7,6 +7,8 @@
 #include "gradebook.h"
 #include "worksheet.h"
 
+#include <limits.h>
+
 typedef enum FeedbackKind {
     FEEDBACK_MOODLE,   // feedback-moodle.zip, for "Upload multiple feedback files in a zip"
     FEEDBACK_CANVAS,   // feedback-canvas.zip, for "Upload submissions"
@@ -20,8 +22,15 @@ typedef enum FeedbackKind {
 int feedback_kind_find(const char *name, FeedbackKind *kind);
 
 // What a row says in a line: "60 of 100 points: leaf_loop 0/40, ...; Random scenes: found ...".
-// Owned by the caller; NULL where nothing was graded.
+// Or that it was nothing of this lab, and what instead. Owned by the caller; NULL where the grader
+// could not work.
+#define FEEDBACK_NOTHING "nothing of this lab was found"
 char *feedback_comment(const Gradebook *gradebook, const Row *row);
+
+// A row's report, as the grader wrote it and with what has changed its points: the bytes and how
+// many, owned by the caller. NULL after one message.
+char *feedback_report(const Gradebook *gradebook, const Row *row, size_t *n_bytes);
+void feedback_report_path(const Gradebook *gradebook, const Row *row, char path[PATH_MAX]);
 
 // Write it into the class's folder, and say on stdout what was written, and who has got none.
 //   worksheet   the list of participants, by which teams and addresses are known; or NULL

@@ -358,6 +358,35 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
     return against != NULL ? old_scores_read(gradebook, against) : 0;
 }
 
+// Has a student of an older gradebook a field of this name?
+static int old_has(const json_t *old, const char *field)
+{
+    size_t i;
+    json_t *student;
+    json_array_foreach(json_object_get(old, "students"), i, student)
+    {
+        if (json_object_get(student, field) != NULL) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+void gradebook_tell_forgotten(const Gradebook *gradebook)
+{
+    char path[PATH_MAX];
+    json_error_t error;
+    path_make(path, "%s/gradebook.json", gradebook->folder);
+    json_t *old = json_load_file(path, 0, &error);
+    if (gradebook->corrections == NULL && old_has(old, "corrections")) {
+        complain("gradebook: the last run had CHANGES=, this one has none: nothing is corrected");
+    }
+    if (gradebook->lateness == NULL && old_has(old, "late")) {
+        complain("gradebook: the last run had DUE=, this one has none: nobody is late");
+    }
+    json_decref(old);
+}
+
 int gradebook_manifest(const Gradebook *gradebook, const char *lab, Manifest *manifest)
 {
     char own[PATH_MAX];

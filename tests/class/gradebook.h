@@ -87,6 +87,10 @@ void gradebook_free(Gradebook *gradebook);
 // (points_tool.c). Returns 0, or -1 after one message. Release with manifest_free().
 int gradebook_manifest(const Gradebook *gradebook, const char *lab, Manifest *manifest);
 
+// Say on stderr what the gradebook.json that is there had and this run has not: corrections, late
+// work. Forgotten options would change marks without a word.
+void gradebook_tell_forgotten(const Gradebook *gradebook);
+
 // "graded", "outdated", "nothing of this lab" or "not graded".
 const char *row_status_name(RowStatus status);
 

@@ -161,17 +161,21 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
 {
     const char *folder = gradebook->folder;
     double sum = 0;
+    int n_counted = 0;  // an earlier attempt is no other student's
     int n_full = 0;
     int n_outdated = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        sum += row->score;
-        n_full += row_is_graded(row) && row->score == gradebook->max_score;
         n_outdated += row->status == ROW_OUTDATED;
+        if (row_is_graded(row) && row_that_counts(gradebook, row) == row) {
+            n_counted++;
+            sum += row->score;
+            n_full += row->score == gradebook->max_score;
+        }
     }
     printf("%d submissions, %d graded", gradebook->n_rows, gradebook->n_graded);
     if (gradebook->n_graded > 0) {
-        printf(", mean %.1f of %d, %d with full marks", sum / gradebook->n_graded,
+        printf(", mean %.1f of %d, %d with full marks", n_counted > 0 ? sum / n_counted : 0,
                gradebook->max_score, n_full);
     }
     if (n_outdated > 0) {
@@ -199,6 +203,9 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
         printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
                "WHO=%s/who.csv\n",
                n_open, folder, folder);
+    }
+    if (tally->has_list && tally->n_done == 0 && gradebook->n_graded > 0) {
+        printf("Nobody of the list handed in one of these: is it another course's?\n");
     }
     tally_write(stdout, tally);
     printf(": see %s/class.html\n", folder);
@@ -333,6 +340,7 @@ static int gradebook_write(const char *folder, const ListPaths *paths, int nothi
     int status = EXIT_FAULT;
     if (class_load(folder, NULL, paths, &class) == 0) {
         class.gradebook.nothing_is_zero = nothing_is_zero;
+        gradebook_tell_forgotten(&class.gradebook);
         if (files_write(&class.gradebook, class.list, is_for_hall, &tally) == 0) {
             const int has_lost =
                 tally_has_lost(&tally) || corrections_count_waiting(&class.gradebook) > 0;
@@ -343,16 +351,40 @@ static int gradebook_write(const char *folder, const ListPaths *paths, int nothi
     return status;
 }
 
-static int give_back(const char *kind_name, const char *folder, const ListPaths *paths)
+// Are the points those of the class's gradebook? Else reports would go out with other points than
+// the marks. Returns 0, or -1 after one message.
+static int points_check(const Gradebook *gradebook)
+{
+    int n_others = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        n_others += row->has_old_score && row->score != row->old_score;
+    }
+    if (n_others > 0) {
+        complain(
+            "gradebook: found other points than in gradebook.json for %d submissions, expected "
+            "the CHANGES=, DUE=, LATE= and LIST= of the last make grade-class",
+            n_others);
+    }
+    return n_others > 0 ? -1 : 0;
+}
+
+static int give_back(const char *kind_name, const char *folder, const ListPaths *given)
 {
     FeedbackKind kind;
     Class class;
+    ListPaths with_old = *given;
+    const ListPaths *paths = &with_old;
+    char old[PATH_MAX];
+    path_make(old, "%s/gradebook.json", folder);
+    with_old.against = access(old, R_OK) == 0 ? old : NULL;
     if (feedback_kind_find(kind_name, &kind) != 0) {
         complain("gradebook: found \"%s\", expected moodle, canvas, ilias, folders or mail",
                  kind_name);
         return EXIT_FAULT;
     }
     const int failed = class_load(folder, NULL, paths, &class) != 0 ||
+                       points_check(&class.gradebook) != 0 ||
                        feedback_write(&class.gradebook, class.list, kind) != 0;
     class_free(&class);
     return failed ? EXIT_FAULT : EXIT_ALL_GRADED;

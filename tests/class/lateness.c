@@ -102,10 +102,10 @@ int lateness_read(const char *due, const char *late, Lateness *lateness)
         return -1;
     }
     if (late != NULL && late_read(late, lateness) != 0) {
-        complain(
-            "gradebook: LATE: found \"%s\", expected points or percent, for each day or hour or "
-            "once, and how late it may be, such as 10%%/day,2days or 5/hour or 20%%,1week",
-            late);
+        complain("gradebook: LATE: found \"%s\", expected whole points or percent, for each day or "
+                 "hour or "
+                 "once, and how late it may be, such as 10%%/day,2days or 5/hour or 20%%,1week",
+                 late);
         return -1;
     }
     return 0;
@@ -171,7 +171,7 @@ static time_t due_of(const Lateness *lateness, const Gradebook *gradebook, const
     return moment_read(text, &extended) == 0 && extended > lateness->due ? extended : lateness->due;
 }
 
-// ---- A row ---------------------------------------------------------------------------------------
+// ---- A row -------------------------------------------------------------------------------------
 
 const LateRow *lateness_of(const Gradebook *gradebook, const Row *row)
 {
@@ -185,6 +185,16 @@ int lateness_is_late(const LateRow *late)
 
 // ---- Points ------------------------------------------------------------------------------------
 
+// How many units have begun since it was due. Days are those of the calendar, whose clocks may have
+// gone back or forward between.
+static long units_begun(const LateRow *late, long unit)
+{
+    long n = (late->seconds + unit - 1) / unit;
+    n -= n > 1 && late->handed_in <= moment_later(late->due, (n - 1) * unit);
+    n += late->handed_in > moment_later(late->due, n * unit);
+    return n;
+}
+
 static int points_off(const Lateness *lateness, const LateRow *late, int score, int max_score)
 {
     long n_units = 1;
@@ -192,10 +202,10 @@ static int points_off(const Lateness *lateness, const LateRow *late, int score, 
         return 0;
     }
     if (!late->is_marked) {
-        if (lateness->limit > 0 && late->seconds > lateness->limit) {
+        if (lateness->limit > 0 && late->handed_in > moment_later(late->due, lateness->limit)) {
             return score;
         }
-        n_units = lateness->unit > 0 ? (late->seconds + lateness->unit - 1) / lateness->unit : 1;
+        n_units = lateness->unit > 0 ? units_begun(late, lateness->unit) : 1;
     }
     const double each =
         lateness->is_percent ? lateness->amount * max_score / 100.0 : lateness->amount;

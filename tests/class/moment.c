@@ -178,6 +178,16 @@ int moment_read(const char *text, time_t *moment)
     return -1;
 }
 
+time_t moment_later(time_t moment, long seconds)
+{
+    enum { DAY = 24 * 60 * 60 };
+    struct tm tm;
+    localtime_r(&moment, &tm);
+    tm.tm_mday += (int)(seconds / DAY);
+    tm.tm_isdst = -1;
+    return mktime(&tm) + seconds % DAY;
+}
+
 static void moment_format(time_t moment, const char *format, char text[MOMENT_BYTES])
 {
     struct tm tm;

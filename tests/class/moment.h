@@ -22,6 +22,9 @@ int moment_zone_set(const char *zone);
 // With slashes nobody can tell the day from the month, so that is none.
 int moment_read(const char *text, time_t *moment);
 
+// What the clock shows so many seconds later: whole days are those of the calendar.
+time_t moment_later(time_t moment, long seconds);
+
 // "2026-11-25 23:59 CET".
 void moment_write(time_t moment, char text[MOMENT_BYTES]);
 

@@ -6,6 +6,7 @@
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static json_t *members_json(const Entrant *entrant)
 {
@@ -106,6 +107,12 @@ static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
 int roster_load(const char *path, Roster *roster)
 {
     json_error_t error;
+    if (access(path, F_OK) != 0) {
+        complain("gradebook: %s: there is no graded class, expected OUTPUT= of make grade-class",
+                 path);
+        *roster = (Roster){0};
+        return -1;
+    }
     json_t *whole = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
     json_t *list = json_object_get(whole, "entries");
     *roster = (Roster){.entrants = calloc(json_array_size(list) + 1, sizeof(Entrant))};

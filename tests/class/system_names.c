@@ -140,11 +140,16 @@ static SystemName read_brightspace(const char *entry)
                                     at + 3, parts)) {
             continue;
         }
+        // Of two times the one that ends a folder's name is Brightspace's. Before a file's name
+        // either may be part of a name that somebody chose.
+        if (name.system == SYSTEM_BRIGHTSPACE && parts[5].length > 0) {
+            name.time[0] = '\0';
+            break;
+        }
         name.system = SYSTEM_BRIGHTSPACE;
         name.name = (NamePart){begin, (size_t)(at - begin)};
         name.number = head[1], name.login = head[1], name.file = parts[5];
         time_read(parts[1], name.time);
-        break;
     }
     return name;
 }

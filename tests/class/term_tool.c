@@ -81,6 +81,10 @@ static int table_make(const TermOptions *options, const char *output, char *cons
     if (!failed) {
         term.pass = options->pass;
         term.need = options->need;
+        if (options->need > term.n_labs) {
+            complain("term: NEED=%d, but CLASSES has %d labs: nobody can be admitted yet",
+                     options->need, term.n_labs);
+        }
         failed = term_join(&term) != 0 || output_make(output) != 0 ||
                  term_csv(&term, csv, options->excel) != 0 || term_page(&term, page) != 0;
     }

@@ -5,6 +5,7 @@
 // Moodle by the identifier, Blackboard and Brightspace by the user name.
 #include "upload_csv.h"
 
+#include "corrections.h"
 #include "csv_cell.h"
 #include "feedback.h"
 #include "output_file.h"
@@ -23,6 +24,31 @@ int list_cell_is_excused(const Worksheet *worksheet, const char *cell)
            (strcasecmp(cell, "EX") == 0 || strcasecmp(cell, "N/A") == 0);
 }
 
+// A comment that feedback_comment() has made, perhaps for an earlier run: it is replaced.
+static int is_our_comment(const char *cell)
+{
+    int points, most, n = 0;
+    sscanf(cell, "%d of %d points:%n", &points, &most, &n);
+    return n > 0 || strncmp(cell, FEEDBACK_NOTHING, strlen(FEEDBACK_NOTHING)) == 0;
+}
+
+// What a comment for a participant says: about what was handed in, or what the instructor wrote for
+// one who handed in nothing. Owned; NULL: nothing.
+static char *comment_make(const Gradebook *gradebook, const Participant *participant)
+{
+    char *comment = NULL;
+    size_t length;
+    if (participant->row != NULL) {
+        return feedback_comment(gradebook, participant->row);
+    }
+    FILE *text = open_memstream(&comment, &length);
+    if (text != NULL) {
+        corrections_write(text, gradebook, NULL, participant);
+        fclose(text);
+    }
+    return comment;
+}
+
 void list_cell_write(FILE *file, const Worksheet *worksheet, const Participant *participant,
                      int column, const Gradebook *gradebook)
 {
@@ -33,9 +59,9 @@ void list_cell_write(FILE *file, const Worksheet *worksheet, const Participant *
         !list_cell_is_excused(worksheet, cell)) {
         worksheet_grade(worksheet, participant, gradebook->max_score, grade);
         cell = grade;
-    } else if (row != NULL && cell[0] == '\0' &&
+    } else if ((cell[0] == '\0' || is_our_comment(cell)) &&
                worksheet_has_title(worksheet, column, comment_titles)) {
-        comment = feedback_comment(gradebook, row);
+        comment = comment_make(gradebook, participant);
         cell = comment != NULL ? comment : cell;
     }
     csv_cell_copy(file, cell);

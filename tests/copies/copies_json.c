@@ -1,19 +1,25 @@
 // copies.json: the pairs for programs (see alike.h).
 #include "alike.h"
 
+#include "hard.h"
 #include "json_text.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static double rounded(double number)
 {
     return round(100 * number) / 100;
 }
 
+static json_t *entrant_json(const Entrant *entrant)
+{
+    return json_pack("{s:o, s:s}", "name", json_line(entrant->label), "id", entrant->slug);
+}
+
 static json_t *author_json(const Author *author)
 {
-    return json_pack("{s:o, s:s}", "name", json_line(author->entrant->label), "id",
-                     author->entrant->slug);
+    return entrant_json(author->entrant);
 }
 
 static const char *kind_name(FormKind kind)
@@ -50,6 +56,31 @@ static json_t *pair_json(const Alike *alike, const Pair *pair)
                      pair->n_only_two, "forms", forms_json(alike, pair));
 }
 
+// Whose answers are hard to compare, and why.
+static json_t *hard_json(const Alike *alike)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < alike->class.n_authors; i++) {
+        const Author *author = &alike->class.authors[i];
+        char *reason = hard_reason(alike, author);
+        if (reason != NULL) {
+            json_array_append_new(
+                list, json_pack("{s:o, s:s}", "author", author_json(author), "found", reason));
+        }
+        free(reason);
+    }
+    return list;
+}
+
+static json_t *unread_json(const HandedIn *class)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < class->n_unread; i++) {
+        json_array_append_new(list, entrant_json(class->unread[i]));
+    }
+    return list;
+}
+
 int copies_json(const Alike *alike, const char *path)
 {
     const Pairs *pairs = &alike->pairs;
@@ -57,10 +88,11 @@ int copies_json(const Alike *alike, const char *path)
     for (int i = 0; i < pairs->n_listed; i++) {
         json_array_append_new(list, pair_json(alike, &pairs->all[i]));
     }
-    json_t *json = json_pack("{s:s, s:i, s:i, s:i, s:f, s:i, s:b, s:o}", "lab",
-                             alike->class.manifest.lab, "authors", alike->class.n_authors,
-                             "without", alike->class.n_without, "pairs_compared", pairs->n_compared,
-                             "level", rounded(pairs->level), "tellable", pairs->n_tellable,
-                             "too_short", pairs_are_too_few(&alike->class, pairs), "pairs", list);
+    json_t *json = json_pack(
+        "{s:s, s:i, s:i, s:o, s:i, s:f, s:i, s:b, s:o, s:o}", "lab", alike->class.manifest.lab,
+        "authors", alike->class.n_authors, "without", alike->class.n_without, "unread",
+        unread_json(&alike->class), "pairs_compared", pairs->n_compared, "level",
+        rounded(pairs->level), "tellable", pairs->n_tellable, "too_short",
+        pairs_are_too_few(&alike->class, pairs), "hard", hard_json(alike), "pairs", list);
     return json_save(path, json, JSON_INDENT(1));
 }

@@ -3,6 +3,7 @@
 // It asks the instructor to look, and never says that somebody copied. Read next: side_by_side.h.
 #include "alike.h"
 
+#include "hard.h"
 #include "html.h"
 #include "output_file.h"
 #include "side_by_side.h"
@@ -15,9 +16,11 @@ static void facts_write(FILE *page, const Alike *alike)
     fprintf(page,
             "<dl class=\"facts\">\n<div><dt>Authors</dt><dd>%d</dd></div>\n"
             "<div><dt>Without an answer</dt><dd>%d</dd></div>\n"
+            "<div><dt>Cannot be read</dt><dd>%d</dd></div>\n"
             "<div><dt>Pairs compared</dt><dd>%d</dd></div>\n"
             "<div><dt>Pairs to look at</dt><dd>%d</dd></div>\n</dl>\n",
-            alike->class.n_authors, alike->class.n_without, pairs->n_compared, pairs->n_listed);
+            alike->class.n_authors, alike->class.n_without, alike->class.n_unread,
+            pairs->n_compared, pairs->n_listed);
 }
 
 // What an empty list would mean.
@@ -164,6 +167,7 @@ int copies_page(const Alike *alike, const char *path)
     head_write(output.file, alike);
     table_write(output.file, alike);
     given_write(output.file, alike);
+    hard_write(output.file, alike);
     if (alike->pairs.n_listed > 0) {
         side_by_side_begin(output.file);
     }

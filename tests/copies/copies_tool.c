@@ -13,6 +13,7 @@
 #include "complain.h"
 #include "copies_export.h"
 #include "copies_term.h"
+#include "hard.h"
 #include "message.h"
 #include "option_table.h"
 #include "path.h"
@@ -22,12 +23,29 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 enum { EXIT_WRITTEN = 0, EXIT_FAULT = 2 };
 
 // So many pairs are printed.
 enum { MOST_PRINTED = 10 };
+
+// An accident with somebody's answer ends in one message before the machine is short of memory.
+#define MOST_MEMORY ((rlim_t)2 << 30)
+
+static void memory_limit(void)
+{
+    struct rlimit limit;
+#ifndef __SANITIZE_ADDRESS__  // it needs more addresses than there is memory
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur > MOST_MEMORY) {
+        limit.rlim_cur = MOST_MEMORY;  // what is started from here may need more, and set it
+        setrlimit(RLIMIT_AS, &limit);
+    }
+#else
+    (void)limit;
+#endif
+}
 
 typedef struct CopiesOptions {
     const char *build, *export;
@@ -62,6 +80,13 @@ static void summary_print(const Alike *alike, const char *page)
     if (pairs_are_too_few(&alike->class, pairs)) {
         printf("too short to tell: only %d of %d authors wrote enough that few others wrote\n",
                pairs->n_tellable, alike->class.n_authors);
+    }
+    const int n_hard = hard_count(alike);
+    if (n_hard > 0) {
+        printf("hard to compare: %d author%s, see the page\n", n_hard, plural((unsigned)n_hard));
+    }
+    if (alike->class.n_unread > 0) {
+        printf("cannot be read: %d of the submissions\n", alike->class.n_unread);
     }
     printf("%d authors, %d without an answer; %d pairs to look at: see %s\n",
            alike->class.n_authors, alike->class.n_without, pairs->n_listed, page);
@@ -145,6 +170,7 @@ int main(int argc, char **argv)
         return result == OPTIONS_DONE ? usage() : EXIT_FAULT;
     }
     argv += optind, argc -= optind;
+    memory_limit();
     if (argc == 4 && strcmp(argv[0], "lab") == 0) {
         return lab_look(&options, argv[1], argv[2], argv[3]);
     }

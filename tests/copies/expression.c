@@ -22,14 +22,30 @@ typedef struct Parser {
     const OwnNames *own;
 } Parser;
 
-int own_names_have(const OwnNames *own, const SourceWord *word)
+void own_names_add(OwnNames *own, const SourceWord *name, int is_called)
 {
-    for (int i = 0; i < own->n; i++) {
-        if (strcmp(own->names[i], word->text) == 0) {
-            return 1;
-        }
+    if (own->given != NULL && name_set_has(own->given, name->text)) {
+        return;
     }
-    return 0;
+    if (own->names.n >= OWN_NAMES_MAX) {
+        own->is_full = 1;
+        return;
+    }
+    name_set_add(&own->names, name->text);
+    if (is_called) {
+        name_set_add(&own->called, name->text);
+    }
+}
+
+int own_names_have(const OwnNames *own, const SourceWord *word, int is_called)
+{
+    return name_set_has(is_called ? &own->called : &own->names, word->text);
+}
+
+void own_names_free(OwnNames *own)
+{
+    name_set_free(&own->names);
+    name_set_free(&own->called);
 }
 
 int is_qualifier(const SourceWord *word)
@@ -94,8 +110,11 @@ static char *number_form(const SourceWord *word)
                : message_new("%s", word->text);
 }
 
-static char *word_form(const Parser *parser, const SourceWord *word)
+// The form of the next word, which is taken.
+static char *word_read(Parser *parser)
 {
+    const SourceWord *word = word_at(parser, 0);
+    parser->at++;
     switch (word->kind) {
     case SOURCE_NUMBER:
         return number_form(word);
@@ -104,7 +123,8 @@ static char *word_form(const Parser *parser, const SourceWord *word)
     case SOURCE_CHARACTER:
         return message_new("'%s'", word->text);
     default:
-        return message_new("%s", own_names_have(parser->own, word) ? "_" : word->text);
+        return message_new(
+            "%s", own_names_have(parser->own, word, next_is(parser, "(")) ? "_" : word->text);
     }
 }
 
@@ -178,8 +198,7 @@ static char *bracket_read(Parser *parser)
 
 static char *primary_read(Parser *parser)
 {
-    const SourceWord *word = word_at(parser, 0);
-    if (word->kind == SOURCE_END) {
+    if (parser->at >= parser->end) {
         return message_new("%s", "");
     }
     if (take_sign(parser, "(")) {
@@ -188,8 +207,7 @@ static char *primary_read(Parser *parser)
     if (take_sign(parser, "{")) {
         return items_read(parser, "{}", "}");
     }
-    parser->at++;
-    return word_form(parser, word);
+    return word_read(parser);
 }
 
 static char *step_form(char *what, const char *sign)
@@ -355,19 +373,34 @@ static char *binary_read(Parser *parser, int lowest)
 
 // ---- All -------------------------------------------------------------------------------------
 
-char *expression_form(const SourceWord words[], int from, int to, const OwnNames *own)
+static char *words_form(Parser parser)
+{
+    FormList list = {0};
+    while (parser.at < parser.end) {
+        form_list_add(&list, word_read(&parser));
+    }
+    return form_list_bare(&list);
+}
+
+char *expression_form(const SourceWord words[], int from, int to, const OwnNames *own, int *is_cut)
 {
     Parser parser = {words, from, to, 0, own};
+    const Parser start = parser;
     FormList list = {0};
+    if (to - from > EXPRESSION_MAX_WORDS) {
+        *is_cut = 1;
+        return words_form(start);
+    }
     while (parser.at < to) {
-        if (to - from > EXPRESSION_MAX_WORDS) {
-            form_list_add(&list, word_form(&parser, word_at(&parser, 0)));
-            parser.at++;
-            continue;
-        }
         const int before = parser.at;
         form_list_add(&list, binary_read(&parser, LEVEL_COMMA));
         parser.at += parser.at == before;  // a sign that nothing begins with
     }
-    return form_list_bare(&list);
+    char *form = form_list_bare(&list);
+    if (strlen(form) <= EXPRESSION_MAX_BYTES) {
+        return form;
+    }
+    free(form);
+    *is_cut = 1;
+    return words_form(start);
 }

@@ -6,12 +6,29 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *what_is_read;
+
+void memory_reading(const char *what)
+{
+    what_is_read = what;
+}
+
+_Noreturn void memory_end(void)
+{
+    if (what_is_read != NULL) {
+        complain("copies: out of memory while reading \"%s\": remove this entry, and start again",
+                 what_is_read);
+    } else {
+        complain("copies: out of memory");
+    }
+    exit(2);
+}
+
 void *memory_take(size_t n_bytes)
 {
     void *memory = calloc(1, n_bytes);
     if (memory == NULL) {
-        complain("copies: out of memory");
-        exit(2);
+        memory_end();
     }
     return memory;
 }
@@ -23,8 +40,7 @@ void *array_grow(void *array, int n, size_t n_bytes)
     }
     void *moved = realloc(array, (n == 0 ? 1 : 2 * (size_t)n) * n_bytes);
     if (moved == NULL) {
-        complain("copies: out of memory");
-        exit(2);
+        memory_end();
     }
     return moved;
 }

@@ -5,6 +5,11 @@
 
 #include <stddef.h>
 
+// End the program because no memory is left, after one message. memory_reading() says what was read
+// then (an entry, fit to be shown, which must live on), or NULL.
+void memory_reading(const char *what);
+_Noreturn void memory_end(void);
+
 // Room for one more element behind n: the array, perhaps moved. n_bytes: of one element.
 void *array_grow(void *array, int n, size_t n_bytes);
 

@@ -1,32 +1,29 @@
 // Reading the forms of an answer, statement by statement (see forms.h).
 #include "forms.h"
 
-#include "complain.h"
 #include "expression.h"
 #include "form_list.h"
+#include "forms_add.h"
+#include "live_text.h"
+#include "macros.h"
 #include "message.h"
 #include "remarks.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+// Blocks that never run may be in each other: looking for their ends reads a text so often at most.
+enum { MOST_LOOKS = 20 };
+
 typedef struct Splitter {
     const SourceWord *words;
-    int n;
+    int n;                  // of the piece that is read: the text, or one macro's
+    const NameSet *macros;  // that can stand where a statement does
     OwnNames own;
     Forms forms;
+    int n_looked_at;  // words, in search of what never runs
     int reads_names;  // the first pass: only what is declared is noted
 } Splitter;
-
-void forms_add(Forms *forms, FormKind kind, char *text, int first_line, int last_line)
-{
-    if (forms->n >= FORMS_MAX || text[0] == '\0') {
-        free(text);
-        return;
-    }
-    forms->all = array_grow(forms->all, forms->n, sizeof *forms->all);
-    forms->all[forms->n++] = (Form){kind, text, first_line, last_line, -1};
-}
 
 static int is_sign(const Splitter *splitter, int at, const char *sign)
 {
@@ -63,21 +60,12 @@ static void expression_add(Splitter *splitter, const char *keyword, int from, in
     if (splitter->reads_names || from >= to) {
         return;
     }
-    char *form = expression_form(splitter->words, from, to, &splitter->own);
+    char *form =
+        expression_form(splitter->words, from, to, &splitter->own, &splitter->forms.is_cut);
     char *text = message_new("%s%s%s", keyword, keyword[0] != '\0' ? " " : "", form);
     free(form);
     forms_add(&splitter->forms, FORM_STATEMENT, text, splitter->words[from].line,
               splitter->words[to - 1].line);
-}
-
-static void own_name_add(Splitter *splitter, const SourceWord *name)
-{
-    OwnNames *own = &splitter->own;
-    if (own_names_have(own, name) || own->n >= EXPRESSION_MAX_WORDS) {
-        return;
-    }
-    own->names = array_grow(own->names, own->n, sizeof *own->names);
-    own->names[own->n++] = message_new("%s", name->text);
 }
 
 // `* name [size] = value` of a declaration. What is declared and not set has no form of its own.
@@ -91,7 +79,7 @@ static void declarator_add(Splitter *splitter, int from, int to)
         return;
     }
     if (splitter->reads_names) {
-        own_name_add(splitter, &splitter->words[from]);
+        own_names_add(&splitter->own, &splitter->words[from], 0);
     } else {
         forms_add(&splitter->forms, FORM_NAME, message_new("%s", splitter->words[from].text),
                   splitter->words[from].line, splitter->words[from].line);
@@ -134,6 +122,85 @@ static void simple_add(Splitter *splitter, int from, int to)
     }
 }
 
+// ---- Functions and blocks --------------------------------------------------------------------
+
+// Does what begins at `from` make the "{" at `open` a function's, a structure's, or that of a macro
+// (EACH(i) { ... })?
+static int is_block(const Splitter *splitter, int from, int open)
+{
+    const int is_call = splitter->words[from].kind == SOURCE_NAME &&
+                        !is_name(splitter, from, "return") && is_sign(splitter, from + 1, "(") &&
+                        find_sign(splitter, from + 2, open, ")") + 1 == open;
+    return is_call || declarators_find(splitter, from, open) >= 0;
+}
+
+// The end of a statement that begins at `from`: its ;, or the "{" of a block, or what cannot be in
+// it and follows a macro: a keyword, the end of a bracket around it.
+static int statement_end(const Splitter *splitter, int from)
+{
+    int depth = 0, has_value = 0;
+    for (int at = from; at < splitter->n; at++) {
+        const SourceWord *word = &splitter->words[at];
+        const int is_a_sign = word->kind == SOURCE_SIGN;
+        const int closes = is_a_sign && source_is_one_of(word, ") ] }");
+        const int opens = is_a_sign && source_is_one_of(word, "( [ {");
+        const int ends =
+            is_a_sign ? closes || word->text[0] == ';' ||
+                            (word->text[0] == '{' && !has_value && is_block(splitter, from, at))
+                      : word->kind == SOURCE_NAME &&
+                            source_is_one_of(word, "if while for switch do return");
+        if (depth == 0 && at > from && ends) {
+            return at;
+        }
+        has_value |= is_a_sign && source_is_one_of(word, "=");
+        depth += opens - (closes && depth > 0);
+    }
+    return splitter->n;
+}
+
+// What is before a block's "{" at `open`: of a function the name and the parameters.
+static void head_add(Splitter *splitter, int from, int open)
+{
+    const int bracket = find_sign(splitter, from, open, "(");
+    const int close = find_sign(splitter, bracket + 1, open, ")");
+    if (declarators_find(splitter, from, open) < 0) {
+        expression_add(splitter, "", from, open);
+        return;
+    }
+    if (bracket < open && splitter->reads_names) {
+        own_names_add(&splitter->own, &splitter->words[bracket - 1], 1);
+    }
+    for (int at = bracket + 1; at < close;) {
+        const int end = find_sign(splitter, at, close, ",");
+        simple_add(splitter, at, end);
+        at = end + 1;
+    }
+}
+
+// `if (0) { ... }` never runs, if nothing jumps into it. Returns its end, or `at` if this is none.
+static int never_find(Splitter *splitter, int at)
+{
+    const int is_never = (is_name(splitter, at, "if") || is_name(splitter, at, "while")) &&
+                         is_sign(splitter, at + 1, "(") && at + 2 < splitter->n &&
+                         source_is_one_of(&splitter->words[at + 2], "0 false 0u 0U") &&
+                         is_sign(splitter, at + 3, ")") && is_sign(splitter, at + 4, "{");
+    if (!is_never) {
+        return at;
+    }
+    if (splitter->n_looked_at > MOST_LOOKS * splitter->n) {
+        splitter->forms.is_cut = 1;
+        return at;
+    }
+    const int end = find_sign(splitter, at + 5, splitter->n, "}");
+    splitter->n_looked_at += end - at;
+    for (int i = at + 5; i < end; i++) {
+        if (is_sign(splitter, i, ":")) {
+            return at;  // a label may be in it, or a case
+        }
+    }
+    return end;
+}
+
 // ---- All statements --------------------------------------------------------------------------
 
 // `for (first; condition; step)`: its brackets are at `open` and `close`.
@@ -161,13 +228,33 @@ static int control_add(Splitter *splitter, int at)
     return close + 1;
 }
 
+// A statement without a keyword for its condition. Returns where the next one begins.
+static int statement_add(Splitter *splitter, int at)
+{
+    const int end = statement_end(splitter, at);
+    if (is_name(splitter, at, "return")) {
+        expression_add(splitter, "return", at + 1, end);
+    } else if (is_sign(splitter, end, "{")) {
+        head_add(splitter, at, end);
+    } else {
+        simple_add(splitter, at, end);
+    }
+    return end + (is_sign(splitter, end, ";") || is_sign(splitter, end, "{"));
+}
+
 static void statements_read(Splitter *splitter)
 {
     int at = 0;
     while (at < splitter->n) {
         const SourceWord *word = &splitter->words[at];
-        if (word->kind == SOURCE_SIGN && source_is_one_of(word, "{ } ;")) {
+        const int never = never_find(splitter, at);
+        if (never > at) {
+            splitter->forms.n_left_out += splitter->reads_names ? 0 : never - at;
+            at = never;
+        } else if (word->kind == SOURCE_SIGN && source_is_one_of(word, "{ } ; )")) {
             at++;
+        } else if (is_sign(splitter, at, "(") && is_sign(splitter, at + 1, "{")) {
+            at += 2;  // gcc's ({ ... })
         } else if (word->kind == SOURCE_NAME && source_is_one_of(word, "else do default")) {
             at += 1 + is_sign(splitter, at + 1, ":");
         } else if (word->kind == SOURCE_NAME && source_is_one_of(word, "if while for switch") &&
@@ -177,36 +264,59 @@ static void statements_read(Splitter *splitter)
             const int end = find_sign(splitter, at, splitter->n, ":");
             expression_add(splitter, "case", at + 1, end);
             at = end + 1;
+        } else if (word->kind == SOURCE_NAME && is_sign(splitter, at + 1, ":")) {
+            at += 2;  // a label
+        } else if (word->kind == SOURCE_NAME && name_set_has(splitter->macros, word->text)) {
+            at += 1 + is_sign(splitter, at + 1, "(");  // its arguments may be statements
         } else {
-            const int end = find_sign(splitter, at, splitter->n, ";");
-            if (is_name(splitter, at, "return")) {
-                expression_add(splitter, "return", at + 1, end);
-            } else {
-                simple_add(splitter, at, end);
-            }
-            at = end + 1;
+            at = statement_add(splitter, at);
         }
     }
 }
 
-Forms forms_read(const char *answer)
+// Read the text, then what each macro stands for.
+static void pieces_read(Splitter *splitter, const SourceWord *words, int n_words,
+                        const Macros *macros)
 {
-    Splitter splitter = {0};
-    SourceWord *words = source_words(answer, &splitter.n);
+    splitter->words = words;
+    splitter->n = n_words;
+    splitter->n_looked_at = 0;
+    splitter->macros = &macros->in_place;
+    statements_read(splitter);
+    for (int from = 0; from < macros->n_words; from += splitter->n + 1) {
+        splitter->words = macros->words + from;
+        splitter->n = 0;
+        while (splitter->words[splitter->n].kind != SOURCE_END) {
+            splitter->n++;
+        }
+        statements_read(splitter);
+    }
+}
+
+Forms forms_read(const char *answer, const NameSet *given)
+{
+    Splitter splitter = {.own.given = given};
+    Forms *forms = &splitter.forms;
+    LiveCount count = {0};
+    char *live = live_text(answer, &count);
+    SourceWord *words = source_words(live, &forms->n_words);
     if (words == NULL) {
-        complain("copies: out of memory");
-        exit(2);
+        memory_end();
     }
-    splitter.words = words;
+    Macros macros = macros_read(live, &splitter.own);
+    forms->n_left_out = count.n_left_out;
+    forms->n_conditional = count.n_conditional;
+    forms->n_with_directive = macros.n_statements;
     for (splitter.reads_names = 1; splitter.reads_names >= 0; splitter.reads_names--) {
-        statements_read(&splitter);
+        pieces_read(&splitter, words, forms->n_words, &macros);
     }
-    remarks_read(answer, &splitter.own, &splitter.forms);
-    for (int i = 0; i < splitter.own.n; i++) {
-        free(splitter.own.names[i]);
-    }
-    free(splitter.own.names);
+    remarks_read(live, &splitter.own, forms);
+    forms->is_cut |= splitter.own.is_full;
+    forms_complete(forms);
+    own_names_free(&splitter.own);
+    macros_free(&macros);
     free(words);
+    free(live);
     return splitter.forms;
 }
 

@@ -10,6 +10,8 @@
 #ifndef COPIES_FORMS_H
 #define COPIES_FORMS_H
 
+#include "name_set.h"
+
 typedef enum FormKind {
     FORM_STATEMENT,
     FORM_COMMENT,
@@ -28,12 +30,21 @@ typedef struct Form {
 typedef struct Forms {
     Form *all;  // in the order of the answer
     int n;
+    int n_different;
+    int n_words;           // that were read
+    int n_left_out;        // words that no compiler reads, or that never run: #if 0, if (0) { }
+    int n_conditional;     // words between directives of which nobody can tell whether they hold
+    int n_with_directive;  // macros that stand for statements, and included files
+    int is_cut;            // there was more than the limits allow (FORMS_MAX, expression.h)
+    void *seen;            // see forms_add.h
 } Forms;
 
-// Read the forms of the text in a hole. Of what is longer than this many only the first.
+// Read the forms of the text in a hole. Of more different ones than this many only the first.
+//   given   names that the lab declares around the hole (scope.h), or NULL: an answer that declares
+//           them once more does not make them its own
 // forms_free() them. Running out of memory ends the program.
 enum { FORMS_MAX = 20000 };
-Forms forms_read(const char *answer);
+Forms forms_read(const char *answer, const NameSet *given);
 void forms_free(Forms *forms);
 
 #endif

@@ -17,14 +17,14 @@ typedef struct Collection {
     int n;
 } Collection;
 
-// Add the forms of a text, which may be NULL.
-static void text_add(Collection *given, const char *text, int is_known)
+// Add the forms of a text, which may be NULL; so may the names around it.
+static void text_add(Collection *given, const char *text, const NameSet *scope, int is_known)
 {
     if (text == NULL) {
         return;
     }
     given->all = array_grow(given->all, given->n, sizeof *given->all);
-    given->all[given->n++] = (Given){forms_read(text), is_known};
+    given->all[given->n++] = (Given){forms_read(text, scope), is_known};
 }
 
 static char *read_if_there(const char *path)
@@ -32,7 +32,8 @@ static char *read_if_there(const char *path)
     return access(path, F_OK) == 0 ? text_file_read(path) : NULL;
 }
 
-static void holes_add(Collection *given, const Manifest *manifest, const Task *task)
+static void holes_add(Collection *given, const Manifest *manifest, const Task *task,
+                      const NameSet *scope)
 {
     char path[PATH_MAX];
     char *skeleton = skeleton_read(manifest, task->file);
@@ -40,8 +41,8 @@ static void holes_add(Collection *given, const Manifest *manifest, const Task *t
     char *solution = read_if_there(path);
     char *handed_out = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
     char *solved = solution != NULL ? hole_read(solution, task->id) : NULL;
-    text_add(given, handed_out, 0);
-    text_add(given, solved, 0);
+    text_add(given, handed_out, scope, 0);
+    text_add(given, solved, scope, 0);
     free(handed_out), free(solved), free(skeleton), free(solution);
 }
 
@@ -57,38 +58,53 @@ static void page_add(Collection *given, const char *path)
             break;
         }
         *end = '\0';
-        text_add(given, begin, 0);
+        text_add(given, begin, NULL, 0);
         at = strchr(end + 1, '\n');
     }
     free(page);
 }
 
-static void known_add(Collection *given, const char *lab)
+// The names around the hole that a known answer is for: its first lines say "// task: ID".
+static const NameSet *known_scope(const Manifest *manifest, const NameSet *scopes, const char *text)
+{
+    static const char sign[] = "// task: ";
+    const char *id = text != NULL ? strstr(text, sign) : NULL;
+    for (int i = 0; id != NULL && i < manifest->n_tasks; i++) {
+        const size_t length = strlen(manifest->tasks[i].id);
+        const char *at = id + sizeof sign - 1;
+        if (strncmp(at, manifest->tasks[i].id, length) == 0 && strchr("\r\n", at[length]) != NULL) {
+            return &scopes[i];
+        }
+    }
+    return NULL;
+}
+
+static void known_add(Collection *given, const Manifest *manifest, const NameSet *scopes)
 {
     char pattern[PATH_MAX];
     glob_t found;
-    path_make(pattern, "tests/{right,mutants}/%s/*", lab);
+    path_make(pattern, "tests/{right,mutants}/%s/*", manifest->lab);
     if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
         return;
     }
     for (size_t i = 0; i < found.gl_pathc; i++) {
         char *text = text_file_read(found.gl_pathv[i]);
-        text_add(given, text, 1);
+        text_add(given, text, known_scope(manifest, scopes, text), 1);
         free(text);
     }
     globfree(&found);
 }
 
-Given *given_read(const Manifest *manifest, int *n_given)
+Given *given_read(const Manifest *manifest, const NameSet scopes[], int *n_given)
 {
     Collection all = {0};
     char page[PATH_MAX];
     for (int i = 0; i < manifest->n_tasks; i++) {
-        holes_add(&all, manifest, &manifest->tasks[i]);
+        holes_add(&all, manifest, &manifest->tasks[i], &scopes[i]);
     }
     path_make(page, "labs/%s/README.md", manifest->lab);
     page_add(&all, page);
-    known_add(&all, manifest->lab);
+    known_add(&all, manifest, scopes);
     *n_given = all.n;
     return all.all;
 }

@@ -13,8 +13,9 @@ typedef struct Given {
 // Read the skeleton's holes, the code on the lab's page, the solution's holes, and the known
 // answers (tests/right, tests/mutants). What is not there, as in a course without solutions, is
 // left out.
+//   scopes   by the manifest's tasks: the names around each hole (scope.h)
 // Returns *n_given of them; given_free() them. Running out of memory ends the program.
-Given *given_read(const Manifest *manifest, int *n_given);
+Given *given_read(const Manifest *manifest, const NameSet scopes[], int *n_given);
 void given_free(Given *given, int n_given);
 
 #endif

@@ -1,11 +1,15 @@
 // Staging each entry of a class, and reading the holes (see handed_in.h).
 #include "handed_in.h"
 
+#include "clean_text.h"
 #include "complain.h"
 #include "folder.h"
+#include "form_list.h"
 #include "holes.h"
 #include "path.h"
+#include "scope.h"
 #include "settings.h"
+#include "skeleton.h"
 #include "submission.h"
 #include "text_file.h"
 #include "untouched.h"
@@ -37,14 +41,15 @@ static char *hole_of(const Manifest *manifest, const Task *task, const char *sta
 }
 
 // Returns how many tasks have an answer.
-static int answers_read(const Manifest *manifest, const char *staged, Author *author)
+static int answers_read(const HandedIn *class, const char *staged, Author *author)
 {
+    const Manifest *manifest = &class->manifest;
     int n = 0;
     for (int i = 0; i < manifest->n_tasks; i++) {
         Answer *answer = &author->answers[i];
         answer->text = hole_of(manifest, &manifest->tasks[i], staged);
         if (answer->text != NULL) {
-            answer->forms = forms_read(answer->text);
+            answer->forms = forms_read(answer->text, &class->scopes[i]);
             n++;
         }
     }
@@ -73,7 +78,7 @@ static int is_next_attempt(const HandedIn *class, const Entrant *entrant)
 static void entry_take(HandedIn *class, const Entrant *entrant, const char *staged)
 {
     Author author = {.entrant = entrant};
-    if (answers_read(&class->manifest, staged, &author) == 0) {
+    if (answers_read(class, staged, &author) == 0) {
         author_free(&author);
         class->n_without++;
     } else if (is_next_attempt(class, entrant)) {
@@ -85,6 +90,15 @@ static void entry_take(HandedIn *class, const Entrant *entrant, const char *stag
 }
 
 // ---- All entries -----------------------------------------------------------------------------
+
+// Name an entry that cannot be read: the message before said why.
+static void unread_note(HandedIn *class, const Entrant *entrant)
+{
+    char *label = line_clean(entrant->label);
+    complain("copies: \"%s\" cannot be read, and is not compared", label);
+    free(label);
+    class->unread[class->n_unread++] = entrant;
+}
 
 // Stage an entry in a folder of its own, and take its answers. Returns 0, or -1 after one message.
 static int entry_read(HandedIn *class, const Workshop *all, const char *folder,
@@ -109,11 +123,13 @@ static int entry_read(HandedIn *class, const Workshop *all, const char *folder,
     free(message);  // the student reads it in the report
     if (outcome >= 0) {
         entry_take(class, entrant, staged);
+    } else {
+        unread_note(class, entrant);
     }
     if (folder_remove(workshop.folder) != 0) {
         return machine_fault(workshop.folder);
     }
-    return outcome >= 0 ? 0 : -1;
+    return 0;
 }
 
 static int entries_read(HandedIn *class, const Workshop *workshop, const char *folder)
@@ -124,10 +140,28 @@ static int entries_read(HandedIn *class, const Workshop *workshop, const char *f
         if (entrant->is_link) {
             class->n_without++;
         } else {
+            memory_reading(entrant->slug);
             result = entry_read(class, workshop, folder, entrant);
+            memory_reading(NULL);
         }
     }
+    if (result == 0 && class->n_unread > 0 && class->n_unread == class->roster.n_entrants) {
+        complain("copies: %s/submissions: none of %d entries can be read", folder, class->n_unread);
+        return -1;
+    }
     return result;
+}
+
+static void scopes_read(HandedIn *class)
+{
+    for (int i = 0; i < class->manifest.n_tasks; i++) {
+        const Task *task = &class->manifest.tasks[i];
+        char *skeleton = skeleton_read(&class->manifest, task->file);
+        if (skeleton != NULL) {
+            class->scopes[i] = scope_names(skeleton, task->id);
+        }
+        free(skeleton);
+    }
 }
 
 static int folder_clear(void *what)
@@ -147,8 +181,11 @@ int handed_in_read(const char *build, const char *lab, const char *folder, Hande
         sandbox_choose(workshop.sandbox, &workshop.sandbox) != 0) {
         return -1;
     }
-    class->authors = calloc((size_t)class->roster.n_entrants + 1, sizeof *class->authors);
-    if (class->authors == NULL || temporary_folder_make(workshop.folder, "copies") != 0) {
+    scopes_read(class);
+    const size_t n_most = (size_t)class->roster.n_entrants + 1;
+    class->authors = memory_take(n_most * sizeof *class->authors);
+    class->unread = memory_take(n_most * sizeof *class->unread);
+    if (temporary_folder_make(workshop.folder, "copies") != 0) {
         return machine_fault("no temporary folder in $TMPDIR or /tmp");
     }
     // The sandbox's user passes through it.
@@ -168,7 +205,11 @@ void handed_in_free(HandedIn *class)
     for (int i = 0; i < class->n_authors; i++) {
         author_free(&class->authors[i]);
     }
+    for (int i = 0; i < MANIFEST_MAX_TASKS; i++) {
+        name_set_free(&class->scopes[i]);
+    }
     free(class->authors);
+    free(class->unread);
     roster_free(&class->roster);
     manifest_free(&class->manifest);
     *class = (HandedIn){0};

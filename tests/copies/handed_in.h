@@ -24,14 +24,19 @@ typedef struct HandedIn {
     Roster roster;
     Author *authors;  // in the roster's order
     int n_authors;
-    int n_without;  // entries with no answer to any task, or whose files cannot be used
+    int n_without;           // entries with no answer to any task, or whose files cannot be used
+    const Entrant **unread;  // entries that this machine could not read, [n_unread]
+    int n_unread;
+    NameSet scopes[MANIFEST_MAX_TASKS];  // by the manifest's tasks: names around each hole
 } HandedIn;
 
 // Read what a class has handed in.
 //   build    "build": where tools/unpack is
 //   lab      "03-kdtree-2d-render"
 //   folder   has roster.json and submissions/SLUG (roster.h)
-// Returns 0, or -1 after one message on stderr. Release with handed_in_free() in either case.
+// An entry that this machine cannot read, as a folder of mode 0, is named on stderr and passed by.
+// Returns 0, or -1 after one message on stderr, also where no entry can be read. Release with
+// handed_in_free() in either case.
 int handed_in_read(const char *build, const char *lab, const char *folder, HandedIn *class);
 void handed_in_free(HandedIn *class);
 

@@ -2,6 +2,7 @@
 #include "remarks.h"
 
 #include "form_list.h"
+#include "forms_add.h"
 #include "message.h"
 
 #include <ctype.h>
@@ -90,10 +91,10 @@ static void blanks_read(Forms *forms, const SourceWord *before, const SourceWord
     if (is_odd) {
         forms_add(forms, FORM_BLANKS,
                   message_new("%d blanks, %d tabs, after %s before %s", n - n_tabs, n_tabs,
-                              own_names_have(own, before) ? "_" : before->text,
-                              at_end                        ? "the line's end"
-                              : own_names_have(own, behind) ? "_"
-                                                            : behind->text),
+                              own_names_have(own, before, 0) ? "_" : before->text,
+                              at_end                           ? "the line's end"
+                              : own_names_have(own, behind, 0) ? "_"
+                                                               : behind->text),
                   line, line);
     }
 }

@@ -6,9 +6,6 @@
 #include "expression.h"
 #include "forms.h"
 
-// Add one form, but no empty one. Takes the text over; running out of memory ends the program.
-void forms_add(Forms *forms, FormKind kind, char *text, int first_line, int last_line);
-
 // Add the comments of an answer, and its odd blanks: at the end of a line, before ; and , or
 // several between two words. Short comments ("left child") say nothing: three words at least.
 enum { REMARK_MIN_WORDS = 3 };

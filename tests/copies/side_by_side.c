@@ -2,17 +2,11 @@
 #include "side_by_side.h"
 
 #include "html.h"
+#include "marked_lines.h"
+#include "message.h"
 #include "path.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-
-// An answer of more lines is cut off.
-enum { MOST_LINES = 400 };
-
-// How telling a line is.
-typedef enum Mark { MARK_NONE, MARK_RARE, MARK_ONLY_TWO } Mark;
 
 void author_name_write(FILE *page, const Alike *alike, const Author *author)
 {
@@ -29,58 +23,41 @@ void author_name_write(FILE *page, const Alike *alike, const Author *author)
 
 // ---- What is shared --------------------------------------------------------------------------
 
-// The most telling of the shared forms of line `number`; *n_authors have it.
-static Mark mark_of(const Alike *alike, const Pair *pair, const Forms *forms, int number,
-                    int *n_authors)
-{
-    Mark mark = MARK_NONE;
-    for (int i = 0; i < forms->n; i++) {
-        const Form *form = &forms->all[i];
-        const Weight *weight = &alike->weights.all[form->id];
-        if (form->kind == FORM_NAME || number < form->first_line || number > form->last_line ||
-            4 * weight->n_authors > alike->class.n_authors + 4 ||
-            !is_shared(alike, pair, form->id)) {
-            continue;
-        }
-        if (mark == MARK_NONE || weight->n_authors < *n_authors) {
-            *n_authors = weight->n_authors;
-            mark = weight->n_authors == 2 ? MARK_ONLY_TWO : MARK_RARE;
-        }
-    }
-    return mark;
-}
-
-static void line_write(FILE *page, const Alike *alike, const char *line, Mark mark, int n_authors)
+static void line_write(FILE *page, const Alike *alike, const MarkedLine *line)
 {
     fputs("<span class=\"line", page);
-    if (mark == MARK_ONLY_TWO) {
+    if (line->n_authors == 2) {
         fputs(" only\" title=\"nobody else has this", page);
-    } else if (mark == MARK_RARE) {
-        fprintf(page, " rare\" title=\"%d of %d have this", n_authors, alike->class.n_authors);
+    } else if (line->n_authors > 0) {
+        fprintf(page, " rare\" title=\"%d of %d have this", line->n_authors,
+                alike->class.n_authors);
     }
     fputs("\">", page);
-    html_line(page, line);
+    html_line(page, line->text);
     fputs("</span>", page);
 }
 
 static void answer_write(FILE *page, const Alike *alike, const Pair *pair, const Answer *answer)
 {
-    char *text = answer->text != NULL ? strdup(answer->text) : NULL;
-    char *rest = text;
-    int number = 1;
-    fputs("<pre>", page);
-    for (; rest != NULL && *rest != '\0' && number <= MOST_LINES; number++) {
-        char *line = strsep(&rest, "\n");
-        int n_authors = 0;
-        const Mark mark = mark_of(alike, pair, &answer->forms, number, &n_authors);
-        line_write(page, alike, line, mark, n_authors);
+    if (answer->text == NULL) {
+        fputs("<pre><span class=\"line soft\">no answer</span></pre>\n", page);
+        return;
     }
-    fputs(text == NULL                    ? "<span class=\"line soft\">no answer</span>"
-          : rest != NULL && *rest != '\0' ? "<span class=\"line soft\">and more lines</span>"
-                                          : "",
-          page);
+    MarkedLines lines = marked_lines(alike, pair, answer);
+    fputs("<pre>", page);
+    for (int i = 0, n_hidden = 0; i < lines.n; i++) {
+        n_hidden += !lines.all[i].is_shown;
+        if (n_hidden > 0 && (lines.all[i].is_shown || i + 1 == lines.n)) {
+            fprintf(page, "<span class=\"line soft\">%d more line%s</span>", n_hidden,
+                    plural((unsigned)n_hidden));
+            n_hidden = 0;
+        }
+        if (lines.all[i].is_shown) {
+            line_write(page, alike, &lines.all[i]);
+        }
+    }
     fputs("</pre>\n", page);
-    free(text);
+    marked_lines_free(&lines);
 }
 
 // Comments and names have no lines of their own to look at.

@@ -88,7 +88,7 @@ static double nats_of(const Weight *weight, int n_authors)
 void weights_make(HandedIn *class, Weights *weights)
 {
     *weights = (Weights){0};
-    weights->given = given_read(&class->manifest, &weights->n_given);
+    weights->given = given_read(&class->manifest, class->scopes, &weights->n_given);
     const int n = all_own(class, weights, NULL);
     Owned *owned = memory_take(((size_t)n + 1) * sizeof *owned);
     weights->all = memory_take(((size_t)n + 1) * sizeof *weights->all);

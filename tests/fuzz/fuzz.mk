@@ -1,7 +1,7 @@
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
-FUZZED_forms = $(addprefix tests/copies/,forms.c expression.c form_list.c remarks.c) tests/grader/submission/source_words.c \
+FUZZED_forms = $(addprefix tests/copies/,forms.c forms_add.c expression.c form_list.c live_text.c macros.c name_set.c remarks.c) tests/grader/submission/source_words.c \
     common/message.c $(MESSAGES)
 FUZZED_graded = tests/class/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
 FUZZED_manifest = tests/grader/lab/manifest.c common/message.c $(MESSAGES)

@@ -19,7 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n_bytes)
     MUST_HOLD(answer != NULL);
     memcpy(answer, bytes, n_bytes);
     const int n_lines = count_lines(answer);
-    Forms forms = forms_read(answer), again = forms_read(answer);
+    Forms forms = forms_read(answer, NULL), again = forms_read(answer, NULL);
     MUST_HOLD(forms.n == again.n && forms.n <= FORMS_MAX);
     for (int i = 0; i < forms.n; i++) {
         const Form *form = &forms.all[i];

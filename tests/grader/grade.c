@@ -255,7 +255,9 @@ static int grade(Grading *grading, const Settings *settings)
     add_up_score(&grading->result);
     add_advice(grading);
     const Answers answers = {grading->whole.number, &grading->whole.answers};
-    return judge_add_pictures(&session->judge, answers, &grading->result);
+    const int result = judge_add_pictures(&session->judge, answers, &grading->result);
+    result_hide_pictures(&grading->result);
+    return result;
 }
 
 static void grading_free(Grading *grading)

@@ -83,7 +83,7 @@ int session_write(const char *folder, const char *name, const char *text);
 // What was staged of a submission.
 typedef struct StagedFiles {
     int is_complete;                      // each file could be used
-    int has_nothing;                      // of the lab
+    int has_nothing;                      // of the lab that could be used
     int is_replaced[MANIFEST_MAX_FILES];  // this file could not be used
     int n_taken;                          // the others; 0: nothing was replaced
     char *said;  // to the student, or ""; it may quote the submission. Owned by the caller

@@ -50,11 +50,12 @@ int session_stage(const Session *session, const char *submission, const char *fo
     *staged = (StagedFiles){0};
     const int outcome = submission_stage(&session->workshop, submission, folder, &staged->said);
     staged->is_complete = outcome == 0;
-    staged->has_nothing = outcome == STAGE_NOTHING;
     if (staged->said == NULL) {
         staged->said = message_new("%s", "");
     }
     files_find(manifest, folder, staged);
+    // Of two versions of its only file, too, neither is the student's answer for certain.
+    staged->has_nothing = outcome >= 0 && staged->n_taken == 0;
     if (outcome < 0 || (staged->n_taken > 0 && files_replace(manifest, folder, staged) != 0)) {
         free(staged->said);
         return -1;

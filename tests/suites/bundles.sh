@@ -73,7 +73,7 @@ cat >"$scratch/metadata.json" <<'END'
     { "submission_time": "2026-11-26T09:30:00.000000-08:00", "score": 10, "autograder_error": false,
       "results": { "score": 10, "tests": [{ "name": "too early" }] } },
     { "submission_time": "2026-11-26T11:00:00.000000-08:00", "score": 20, "autograder_error": false,
-      "results": { "score": 20, "tests": [] } },
+      "results": { "score": 20, "tests": [{ "name": "at the same time" }] } },
     { "submission_time": "2026-11-26T20:00:00+01:00", "score": 30,
       "results": { "tests": [{ "name": "Random scenes", "score": 30, "max_score": 40, "status": "passed" }],
         "output": "all well", "execution_time": 3, "visibility": "after_published" } },
@@ -104,6 +104,16 @@ check "and does not count itself" grep '"extra_data":{"throttled":true}' "$scrat
 check "which obeys the schema" obeys gradescope "$scratch/instead.json"
 check "of three each week the fourth" instead 3/week
 check "of one each hour the first" is_graded 1/hour
+# Two that are still graded, and one that is older than any grading takes.
+cat >"$scratch/flight.json" <<'END'
+{ "created_at": "2026-11-27T10:00:00Z", "previous_submissions": [
+    { "submission_time": "2026-11-27T08:00:00Z", "score": 40, "results": { "score": 40, "tests": [{ "name": "a" }] } },
+    { "submission_time": "2026-11-27T09:30:00Z", "results": null },
+    { "submission_time": "2026-11-27T09:59:00Z" }, { "submission_time": "2026-11-27T09:59:30Z", "results": null } ] }
+END
+check "two at once count, though they have no result yet" instead 3/day "$scratch/flight.json"
+check "the last result is of one that has" grep '"score":40' "$scratch/instead.json"
+check "one that never got a result does not count" is_graded 4/day "$scratch/flight.json"
 for text in '' '{}' '[]' null 5 '"x"' '{"created_at": "2026-11-27T10:00:00Z"}' '{"created_at": 5, "previous_submissions": [{}]}' \
     '{"created_at": "2026-11-27T10:00:00Z", "previous_submissions": {"submission_time": "2026-11-27T09:00:00Z"}}' \
     '{"created_at": "2026-11-27T10:00:00Z", "previous_submissions": [{"submission_time": "2026-11-27T09:00:00Z", "results": {"tests": 5}}]}'; do

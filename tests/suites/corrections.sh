@@ -81,7 +81,7 @@ check "too large a change" refused 'line 2: found -41 points, but gradient has 0
 for points in 1.5 twelve ++5 5% +; do
     check "$points points" refused "line 2: found \"$points\" points, expected a whole number" "23,gradient,$points,,"
 done
-for day in 24.12.2026 2026-13-01 2026-02-30 2026-12-24x 12-24; do
+for day in 24.12.26 2026-13-01 2026-02-30 2026-12-24x 12-24; do
     check "the day $day" refused "line 2: found \"$day\" in the column \"until\"" "23,,,,$day"
 done
 check "a task and its check" refused 'line 3: line 2 changes the same points already' \
@@ -106,7 +106,7 @@ check "no file at all" exits 2 run "$out" --changes "$scratch/none.csv"
 
 # ---- Applied -------------------------------------------------------------------------------------
 
-changes '23,gradient,+5,"right idea, =1+1",' '22,set_arguments,0,"copied <b>",' 'carol@example.org,,,ill,2026-12-24' \
+changes '23,gradient,+5,"right idea, =1+1",' '22,set_arguments,0,"copied <b>",' 'carol@example.org,,,ill,24.12.2026' \
     '21,gradient-padding,-3,,' 'Carol Shaw,gradient-picture,12,,' ',,,,' \
     'Participant 25,,,at sea,2026-12-31'
 bob=$(jq .score "$scratch/wrong/results.json")
@@ -182,13 +182,20 @@ check "has them" grep -q \
     "gradient: $gradient to $((gradient + 5)) (+5)</td><td><p class=\"message\">right idea, =1+1" "$scratch/bob.html"
 check "and the new score" grep -q "$((bob + 5)) of 100 points instead of $bob" "$scratch/bob.html"
 check "and is well-formed" xmllint --html --noout "$scratch/bob.html"
-check "and all that the grader said" test "$(diff "$report" "$scratch/bob.html" | grep -c '^<')" -eq 0
+check "at the top, too" grep -q "<p class=\"score number\">$((bob + 5)) <small>of 100 points" "$scratch/bob.html"
+check "and all that the grader said, but the score and its bar" \
+    test "$(diff "$report" "$scratch/bob.html" | grep -c '^<')" -eq 2
 check "an extension stands there, too" sh -c "unzip -p '$out/feedback-moodle.zip' 'Carol Shaw_24*' | grep -q 2026-12-24"
 check "as folders" exits 0 feedback folders
 check "the same" cmp "$scratch/bob.html" "$(echo "$out"/feedback/Bob*/report.html)"
 check "the list has the corrected points" grep -q "\"Bob Ross\",$((bob + 5)),100," "$out/feedback.csv"
-check "without corrections it is the grader's report" sh -c "'$build/tools/gradebook' feedback folders '$out' &&
+"$build/tools/gradebook" feedback folders "$out" >"$scratch/said" 2>&1
+check "without corrections the points are not those of the gradebook" said \
+    "found other points than in gradebook.json for 1 submissions, expected the CHANGES="
+mv "$out/gradebook.json" "$scratch/with.json"
+check "where there is none, it is the grader's report" sh -c "'$build/tools/gradebook' feedback folders '$out' &&
     cmp '$report' '$out'/feedback/Bob*/report.html"
+mv "$scratch/with.json" "$out/gradebook.json"
 
 # What leads beyond a task's points is known when it is graded.
 before=$(n_graded "$out")

@@ -103,7 +103,7 @@ check "moodle: the zip holds nothing else" [ "$(find "$class.back" -type f | wc 
 check "moodle: the points of each task are comments" \
     [ "$(grep -c '"100 of 100 points: gradient 40/40, ' "$class.out/gradebook.csv")" -eq 12 ]
 check "without addresses nobody is written to" \
-    sh -c "'$build/tools/gradebook' feedback --moodle '$class.csv' mail '$class.out' | grep -q '^0 reports given back, 12 not'"
+    sh -c "'$build/tools/gradebook' feedback --moodle '$class.csv' mail '$class.out' | grep -q '^0 reports given back, 13 not'"
 check "an unknown way is refused" \
     sh -c "'$build/tools/gradebook' feedback fax '$class.out' 2>&1 | grep -q 'found \"fax\", expected moodle'"
 
@@ -159,7 +159,7 @@ graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over; 0 wi
 all_own
 check "canvas: a file that is nobody's is named" said '"mailed.c"'
 check "canvas: ILIAS would not know whose they are" \
-    sh -c "'$build/tools/gradebook' feedback --list '$class.csv' ilias '$class.out' | grep -q '^0 reports given back, 12 not'"
+    sh -c "'$build/tools/gradebook' feedback --list '$class.csv' ilias '$class.out' | grep -q '^0 reports given back, 13 not'"
 check "canvas: everybody gets the own report back, beside the number of a file" \
     given_back canvas feedback-canvas.zip '*_NUMBER_880[01]*_report.html'
 

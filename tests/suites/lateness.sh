@@ -93,12 +93,17 @@ check "first what is corrected, then what lateness costs" is "Bob Ross" 82 60
 check "before both stands what the grader gave" test "$(of "Bob Ross" .score_before)" = 100
 check "less time is none" is "Carol Shaw" 40 172800
 # shellcheck disable=SC2086 # words
-check "the reports" exits 0 "$build/tools/gradebook" feedback $list --due "$due" --late "$late" folders "$out"
+check "the reports" exits 0 "$build/tools/gradebook" feedback $list --due "$due" --late "$late" \
+    --changes "$scratch/changes.csv" folders "$out"
 check "say it to whom it concerns" grep -rqF \
     'This was handed in 2026-11-26 00:00 CET, 1 min late: 10 points off' "$out/feedback"
+check "with the score that counts at the top" grep -rqF '<p class="score number">82 <small>of 100 points' "$out/feedback"
+"$build/tools/gradebook" feedback --moodle "$scratch/list.csv" folders "$out" >"$scratch/said" 2>&1
+check "without DUE and CHANGES they would say other points" said 'found other points than in gradebook.json for 3'
 check "and to nobody else" test "$(grep -rlF 'points off' "$out/feedback" | wc -l)" -eq 3
 # shellcheck disable=SC2086 # words
 check "without a deadline all is as it was" exits 0 again $list
+check "and it is said that a run before had one" said "the last run had DUE=, this one has none"
 check "nobody is late" test "$(of "Dora Day" '.score, .late')" = "100 null"
 # shellcheck disable=SC2086 # words
 check "a deadline alone takes no points" exits 0 again $list --due "$due"
@@ -124,6 +129,20 @@ check "nothing" costs 0% "100 100"
 check "never less than nothing" costs 60/day "40 0"
 check "minutes" costs "1%/minute,30minutes" "99 0"
 
+# Clocks go back on 25 October, and forward on 29 March.
+entries ada bob cy dora
+printf 'Full name,handed in\nada,2026-10-25 23:30\nbob,2026-10-26 00:30\ncy,2026-10-25 23:59\ndora,2026-10-26 23:59\n' \
+    >"$scratch/clocks.csv"
+due="2026-10-24 23:59 Europe/Berlin"
+check "a day of 25 hours" exits 0 graded --moodle "$scratch/clocks.csv"
+check "is one day" test "$(of ada .score) $(of cy .score) $(of bob .score) $(of dora .score)" = "90 90 80 80"
+printf 'Full name,handed in\nada,2026-03-29 23:59\nbob,2026-03-30 00:30\ncy,2026-03-30 23:59\ndora,2026-03-31 00:00\n' \
+    >"$scratch/clocks.csv"
+due="2026-03-28 23:59 Europe/Berlin"
+check "a day of 23 hours" exits 0 graded --moodle "$scratch/clocks.csv"
+check "is one, too" test "$(of ada .score) $(of bob .score) $(of cy .score) $(of dora .score)" = "90 80 80 0"
+due="2026-11-25 23:59 Europe/Berlin"
+
 # ---- Other systems ------------------------------------------------------------------------------------
 
 rm -rf "$class"
@@ -147,6 +166,16 @@ check "too late" is cy 0 208860
 entries "40012-880036 - Ada Lovelace - Nov 25, 2026 1159 PM" "40013-880037 - Bob Ross - Nov 26, 2026 1205 AM" \
     "40014-880038 - Carol Shaw - Nov 24, 2026 905 AM"
 check "Brightspace's, too" exits 0 graded
+eve="$class/40015-880039 - Eve - Nov 1, 2026 1000 AM - Nov 27, 2026 1000 AM"
+mkdir "$eve"
+check "a date that is a part of a name" exits 0 graded
+check "is not the time" is "Eve - Nov 1, 2026 1000 AM" 80 122460
+rmdir "$eve"
+touch "$eve - gradient.cl"
+check "before a file" exits 0 graded
+check "nobody knows which is it" test "$(of Eve .late.handed_in)" = null
+rm "$eve - gradient.cl"
+check "without it" exits 0 graded
 check "at noon and at midnight" is "Bob Ross" 90 360
 check "one in time" is "Ada Lovelace" 100 0
 
@@ -232,7 +261,7 @@ done
 check "a zone that there is not" refused 'DUE: found the zone "Europe/Bonn"' --due "2026-11-25 23:59 Europe/Bonn"
 check "two zones" refused 'DUE: found the zone "UTC UTC"' --due "2026-11-25 23:59 UTC UTC"
 for text in 10%/year ten 10%/day,2 10%/day,2days,1 -5/day 101% 10%/day,0days; do
-    check "LATE=$text" refused "LATE: found \"$text\", expected points or percent" --due "$due" --late "$text"
+    check "LATE=$text" refused "LATE: found \"$text\", expected whole points or percent" --due "$due" --late "$text"
 done
 check "LATE without DUE" refused "LATE: found no deadline beside it" --late 10%
 entries "Finn Fox_26_assignsubmission_file_"

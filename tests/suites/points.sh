@@ -106,6 +106,8 @@ for file in junit.xml gradescope.json; do
     check "$file says only that" grep -q 'what it found is not shown' "$scratch/graded/$file"
     check "and nothing of it" hides "$(echo "$finding" | cut -c 1-40)" "$scratch/graded/$file"
 done
+check "no picture shows it" test ! -e "$scratch/graded/pictures.json"
+check "nor the page" hides '<img' "$scratch/graded/report.html"
 check "and nothing more" hides "$(echo "$finding" | cut -c 1-40)" "$scratch/graded/report.html"
 
 # ---- Carried on ----------------------------------------------------------------------------------

@@ -292,6 +292,8 @@ check "the most frequent mistake has the first" \
     sh -c "grep -A 3 'id=\"slide-1\"><p class=\"soft\">2 of 4' '$scratch/shown' | grep -q 'it looks flipped top to bottom'"
 check "with its hint" grep -qF "$(jq -r '.tasks[0].hint' solutions/$lab/lab.json | cut -c 1-20)" "$scratch/shown"
 check "and what it should be" test "$(grep -c '<figcaption>as it should be' "$scratch/shown")" -ge 1
+check "whole, not cut" sh -c "grep -o 'src=\"[^\"]*' '$scratch/shown' | grep -c '^src=\"data:image/png;base64,[A-Za-z0-9+/]*=*$' |
+    grep -qx \"\$(grep -c '<figure>' '$scratch/shown')\""
 check "a compiler's error has none" sh -c "! grep -q Compiling '$scratch/shown'"
 page=$scratch/real/class.html
 check "the page groups all faults by cause" sh -c "grep -A 1 '<span class=\"number\">2</span>' '$page' |

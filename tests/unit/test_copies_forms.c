@@ -15,7 +15,7 @@ static int text_compare(const void *left, const void *right)
 // All forms of a kind, sorted, one a line; free() it.
 static char *forms_text(const char *answer, FormKind kind)
 {
-    Forms forms = forms_read(answer);
+    Forms forms = forms_read(answer, NULL);
     char *text = NULL;
     size_t n_bytes;
     FILE *stream = open_memstream(&text, &n_bytes);
@@ -50,6 +50,7 @@ Test(copies_forms, are_the_same)
         {"do { f(); } while (x != 0);", "while (0 != x) f();"},
         {"i--;", "i = i - 1;"},
         {"x\t=\ty ; // why\r\n", "x=y;"},
+        {"return (float2){a, 1};", "return (float2){a, 1.f};"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char *one = forms_text(rows[i].one, FORM_STATEMENT);
@@ -76,6 +77,7 @@ Test(copies_forms, are_different)
         {"x = a * b + c;", "x = a * (b + c);"},
         {"x = a ^ b;", "x = a | b;"},
         {"width = 1;", "height = 1;"},
+        {"return (float2){a, 1};", "return (float2){a, 2};"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char *one = forms_text(rows[i].one, FORM_STATEMENT);
@@ -112,7 +114,7 @@ Test(copies_forms, of_odd_blanks)
 
 Test(copies_forms, stand_at_their_lines)
 {
-    Forms forms = forms_read("\n  x = 1;\n  f(a,\n    b);\n  // one two three\n");
+    Forms forms = forms_read("\n  x = 1;\n  f(a,\n    b);\n  // one two three\n", NULL);
     cr_assert_eq(forms.n, 3);
     cr_expect_eq(forms.all[0].first_line, 2);
     cr_expect_eq(forms.all[1].first_line, 3);
@@ -146,7 +148,7 @@ Test(copies_forms, of_what_is_no_program)
         "x.", "a[", "'",          "switch (",   "return;", "default: case 1:"};
     for (size_t i = 0; i < sizeof pieces / sizeof *pieces; i++) {
         char *text = repeated(pieces[i], 30000);
-        Forms forms = forms_read(text);
+        Forms forms = forms_read(text, NULL);
         cr_expect_leq(forms.n, FORMS_MAX);
         forms_free(&forms);
         free(text);
@@ -156,12 +158,12 @@ Test(copies_forms, of_what_is_no_program)
     char *sums = repeated("+=1)", 100);
     char *brackets = repeated("(", 100);
     char *text = message_new("a%s; %sa%s;", steps, brackets, sums);
-    Forms forms = forms_read(text);
+    Forms forms = forms_read(text, NULL);
     cr_expect_eq(forms.n, 2);
     forms_free(&forms);
     free(steps), free(sums), free(brackets), free(text);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
-        Forms forms = forms_read(whole[i]);
+        Forms forms = forms_read(whole[i], NULL);
         forms_free(&forms);
     }
 }

@@ -242,6 +242,7 @@ Test(report_systems, gradescope_hides_checks_until_then)
 {
     static const char *const values[] = {"after_due_date", "after_published"};
     Result result = full_result_make(12.3);
+    result_add_stage(&result, "Running", CHECK_FAILED, "it crashed with input 41: circle at 3, 4");
     for (int i = 0; i < 2; i++) {
         setenv("HIDE", values[i], 1);
         write_all(&result);
@@ -253,6 +254,9 @@ Test(report_systems, gradescope_hides_checks_until_then)
         }
         cr_expect_null(json_object_get(json, "leaderboard"));
         cr_expect_null(json_object_get(json, "visibility"));
+        const char *output = json_string_value(json_object_get(json, "output"));
+        cr_expect_not_null(strstr(output, "Running: failed"), "%s", output);
+        cr_expect_null(strstr(output, "input 41"), "%s", output);
         json_decref(json);
     }
     unsetenv("HIDE");
@@ -260,6 +264,7 @@ Test(report_systems, gradescope_hides_checks_until_then)
     json_t *json = json_of("gradescope.json");
     cr_expect_str_eq(string_at(json_object_get(json, "tests"), 0, "visibility"), "");
     cr_expect_not_null(json_object_get(json, "leaderboard"));
+    cr_expect_not_null(strstr(json_string_value(json_object_get(json, "output")), "input 41"));
     json_decref(json);
     result_free(&result);
 }

@@ -99,6 +99,18 @@ void html_score_bar(FILE *page, int points, int max_points)
             level, points, max_points, 100 * share);
 }
 
+void html_picture_uri(FILE *page, const char *uri)
+{
+    static const char signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=";
+    static const char *const kinds[] = {"data:image/png;base64,", "data:image/svg+xml;base64,"};
+    for (size_t i = 0; uri != NULL && i < sizeof kinds / sizeof *kinds; i++) {
+        const size_t n = strlen(kinds[i]);
+        if (strncmp(uri, kinds[i], n) == 0 && strspn(uri + n, signs) == strlen(uri + n)) {
+            fputs(uri, page);
+        }
+    }
+}
+
 void html_file_uri(FILE *page, const char *type, const void *bytes, size_t n_bytes)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

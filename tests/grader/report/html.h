@@ -29,6 +29,9 @@ void html_message(FILE *page, const char *message);
 // A bar filled to points / max_points, and red, amber or green by it.
 void html_score_bar(FILE *page, int points, int max_points);
 
+// An address "data:image/...;base64,...", whole: nothing where the text is anything else.
+void html_picture_uri(FILE *page, const char *uri);
+
 // A file's bytes as "data:type;base64,...".
 void html_file_uri(FILE *page, const char *type, const void *bytes, size_t n_bytes);
 

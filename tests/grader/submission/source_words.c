@@ -211,6 +211,7 @@ SourceWord source_next(SourceReader *reader)
     SourceWord word = {.kind = kind_of(reader), .start = reader->text, .line = reader->line};
     if (reader->at_line_start && (first == '#' || (first == '%' && peek_second(reader) == ':'))) {
         reader->in_directive = 1;
+        word.begins_directive = 1;
     }
     reader->at_line_start = 0;
     word.in_directive = reader->in_directive;

@@ -23,8 +23,9 @@ typedef struct SourceWord {
     char text[SOURCE_WORD_BYTES];  // cut off where it is longer
     const char *start;             // where it stands in the source, quotes and all
     size_t length;
-    int line;          // where it begins, from 1
-    int in_directive;  // it belongs to a line that begins with #
+    int line;              // where it begins, from 1
+    int in_directive;      // it belongs to a line that begins with #
+    int begins_directive;  // it is that #
 } SourceWord;
 
 typedef struct SourceReader {

@@ -8,6 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void pictures_free(Result *result)
+{
+    for (int i = 0; i < result->n_pictures; i++) {
+        PictureResult *picture = &result->pictures[i];
+        image_free(&picture->reference);
+        image_free(&picture->own);
+        free(picture->svg_reference);
+        free(picture->svg_own);
+    }
+    result->n_pictures = 0;
+}
+
 void result_free(Result *result)
 {
     for (int i = 0; i < result->n_stages; i++) {
@@ -16,13 +28,7 @@ void result_free(Result *result)
     for (int i = 0; i < result->n_checks; i++) {
         check_free(&result->checks[i]);
     }
-    for (int i = 0; i < result->n_pictures; i++) {
-        PictureResult *picture = &result->pictures[i];
-        image_free(&picture->reference);
-        image_free(&picture->own);
-        free(picture->svg_reference);
-        free(picture->svg_own);
-    }
+    pictures_free(result);
     *result = (Result){0};
 }
 
@@ -77,6 +83,17 @@ const char *check_message_shown(const CheckResult *check)
 {
     return check->is_hidden && check->status != CHECK_PASSED ? "what it found is not shown"
                                                              : check->message;
+}
+
+void result_hide_pictures(Result *result)
+{
+    int n_hidden = 0;
+    for (int i = 0; i < result->n_checks; i++) {
+        n_hidden += result->checks[i].is_hidden && result->checks[i].status != CHECK_PASSED;
+    }
+    if (n_hidden > 0) {
+        pictures_free(result);
+    }
 }
 
 void result_drop_off(Result *result)

@@ -104,6 +104,9 @@ CheckStatus check_status_shown(const CheckResult *check);
 // What reports for people say of it: its message, or of a hidden one that failed that this is so.
 const char *check_message_shown(const CheckResult *check);
 
+// Leave out the pictures where a hidden check failed: they may show what it found.
+void result_hide_pictures(Result *result);
+
 // Leave out the checks that an instructor has turned off: those that can earn no points.
 void result_drop_off(Result *result);
 

@@ -3,6 +3,9 @@
 #
 #     jq --argjson most 5 --arg window day -f throttle.jq submission_metadata.json
 #
+# A submission that has no result yet counts for ten minutes, so that many at once are no way around it. Only a
+# result with tests is given again.
+#
 # Writes nothing if it may be graded; else the last earlier result, with a message, so that no points are
 # lost. Times count from when this one was handed in: graded again, it is decided alike. Submissions that
 # were not graded, by this limit or by a fault, do not count. What is odd in the file does not count either.
@@ -18,6 +21,11 @@ def moment:
 
 def length_of_window: { hour: 3600, day: 86400, week: 604800 }[$window];
 
+def has_failed: .autograder_error // false;
+# Of $now: it may still be graded.
+def is_in_flight($now): type == "object" and (has_failed | not) and ((.results | type) != "object") and .at > $now - 600;
+def has_tests: (.results.tests | type) == "array" and (.results.tests | length) > 0;
+
 def was_graded:
   type == "object" and (.autograder_error // false | not) and (.results | type == "object")
   and (.results.extra_data | if type == "object" then (.throttled // false | not) else true end);
@@ -28,13 +36,14 @@ def allowed: "\($most) \(if $most == 1 then "submission" else "submissions" end)
 def written($at): ($at + (.created_at | offset) | todateiso8601 | .[0:16] | sub("T"; " "));
 
 (.created_at | moment) as $now
-| ([.previous_submissions | if type == "array" then .[] else empty end | select(was_graded)
-    | . + { at: (.submission_time | moment) } | select(.at != null and .at <= ($now // 0))]
-    | sort_by(.at)) as $earlier
+| ([.previous_submissions | if type == "array" then .[] else empty end | select(type == "object")
+    | . + { at: (.submission_time | moment) } | select(.at != null and .at <= ($now // 0))
+    | select((was_graded and has_tests) or is_in_flight($now // 0))] | sort_by(.at)) as $earlier
 | ($earlier | map(select(.at > ($now // 0) - length_of_window))) as $recent
 | if $now == null or ($recent | length) < $most then empty
   else
-    ($earlier | last) as $last
+    ($earlier | map(select(has_tests)) | last) as $last
+    | if $last == null then empty else . end
     | ($recent[($recent | length) - $most].at + length_of_window) as $again
     | ("This submission was not graded: at most \(allowed) are. The next one is graded from "
         + "\(written($again)) on. Your points, and what you see below, are those of "
