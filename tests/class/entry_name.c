@@ -106,11 +106,10 @@ static int read_github(const char *entry, int lab_number)
     return (int)(end + 1 - entry);
 }
 
-// Stud.IP: "[NUMBER]_NAME", the number being the file's. Returns its length, or 0.
-static int read_studip(const char *entry)
+size_t entry_name_number_length(const char *file)
 {
-    const int n_digits = entry[0] == '[' ? (int)strspn(entry + 1, "0123456789") : 0;
-    return n_digits > 0 && strncmp(entry + 1 + n_digits, "]_", 2) == 0 ? n_digits + 3 : 0;
+    const size_t n_digits = file[0] == '[' ? strspn(file + 1, "0123456789") : 0;
+    return n_digits > 0 && strncmp(file + 1 + n_digits, "]_", 2) == 0 ? n_digits + 3 : 0;
 }
 
 EntryName entry_name_read(const char *entry, int lab_number)
@@ -121,7 +120,7 @@ EntryName entry_name_read(const char *entry, int lab_number)
     if (end == 0) {
         end = archive_stem_length(entry);
         end = end > 0 ? end : (int)strlen(entry);
-        begin = read_github(entry, lab_number) + read_studip(entry);
+        begin = read_github(entry, lab_number) + (int)entry_name_number_length(entry);
         begin = begin < end ? begin : 0;
         read_gradescope(entry, end, &name);
     }

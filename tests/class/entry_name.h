@@ -36,6 +36,9 @@ EntryName entry_name_read(const char *entry, int lab_number);
 // seen by the other entries (export.c).
 EntryName entry_name_read_export(const char *entry, int is_folder, ExportSystem system);
 
+// How long the number is that Stud.IP puts before the name of a file, "[17]_"; 0: there is none.
+size_t entry_name_number_length(const char *file);
+
 // Bytes of any kind, at most 255, as text that EntryName can hold: see there.
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES]);
 

@@ -52,7 +52,7 @@ char *entry_time(const Export *export, const Found *found)
         ilias_look(path, time, &is_late);
         return strdup(time);
     }
-    return strdup(export_is_exact(export, found) ? found->name.time : "");
+    return strdup(export_is_exact(export, found) || found->is_listed ? found->name.time : "");
 }
 
 int entry_is_late(const Export *export, const Found *found)

@@ -6,7 +6,8 @@
 
 // The time of an attempt as a text for moment_read(), "" where the export says none: Blackboard and
 // Brightspace have it in the names of files, Gradescope in its list, ILIAS before each file's name
-// in the student's folder, where the last one counts. Owned, free() it; NULL when memory runs out.
+// in the student's folder, where the last one counts, Stud.IP
+// in its list of files. Owned, free() it; NULL when memory runs out.
 char *entry_time(const Export *export, const Found *found);
 
 // Did the system mark the attempt as late? Canvas does in the names of files, a newer ILIAS, which

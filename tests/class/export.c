@@ -8,6 +8,7 @@
 #include "export_level.h"
 #include "export_system.h"
 #include "path.h"
+#include "studip_names.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,8 +23,9 @@ enum { MOST_LEVELS = 3 };
 // it is.
 static int has_owner(const Export *export, const Found *found)
 {
-    return !found->is_loose || (export_is_exact(export, found) &&
-                                (found->name.file > 0 || found->name.system == SYSTEM_ILIAS));
+    return !found->is_loose ||
+           (export_is_exact(export, found) &&
+            (found->name.file > 0 || found->is_listed || found->name.system == SYSTEM_ILIAS));
 }
 
 static int pass_over(Export *export, const char *file)
@@ -45,13 +47,15 @@ static int pass_over(Export *export, const char *file)
 static int names_settle(Export *export)
 {
     int n = 0, failed = 0;
-    export->system = export_system_find(export);
-    export_names_read(export);
+    if (studip_names_read(export) == STUDIP_NONE) {
+        export->system = export_system_find(export);
+        export_names_read(export);
+    }
     for (int i = 0; i < export->n_found; i++) {
         Found found = export->found[i];
         // An archive is one of the files of an upload.
         found.is_loose |= !found.is_folder && !found.is_link && found.name.file > 0 &&
-                          export_is_exact(export, &found);
+                          export_is_exact(export, &found) && !found.is_listed;
         if (has_owner(export, &found)) {
             export->found[n++] = found;
         } else {

@@ -21,6 +21,7 @@ typedef struct Found {
     int is_link;   // neither a folder nor a file: cannot be graded
     int is_loose;  // a single file, or what a system has named as one of the files of an upload, be
                    // it an archive, or as a folder of such files: to be collected
+    int is_listed;                      // Stud.IP's list says whose it is (studip_names.h)
     const GradescopeEntry *submitters;  // or NULL
 } Found;
 

@@ -6,6 +6,7 @@
 #include "complain.h"
 #include "contents.h"
 #include "export_system.h"
+#include "studip_list.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -49,8 +50,8 @@ static int is_nobody(const char *file)
 static int is_systems(const char *file)
 {
     static const char *const names[] = {
-        GRADESCOPE_NAMES_FILE, "archive_filelist.csv", "index.html", ".DS_Store",
-        "Thumbs.db",           "desktop.ini",          "Report.txt", NULL};
+        GRADESCOPE_NAMES_FILE, STUDIP_NAMES_FILE, "index.html", ".DS_Store",
+        "Thumbs.db",           "desktop.ini",     "Report.txt", NULL};
     return name_is_one_of(file, names) || strncmp(file, "._", 2) == 0;
 }
 

@@ -7,6 +7,7 @@
 #include "export_entries.h"
 #include "export_system.h"
 #include "path.h"
+#include "studip_names.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -47,6 +48,7 @@ static int is_for_submissions(const char *folder)
 typedef struct Below {
     ExportSystem system;  // that made most of the names
     int has_students;     // two at least
+    int is_listed;        // Stud.IP's list beside the folder names them
     int has_submissions;  // a folder "Abgaben", and this is its path
     char submissions[PATH_MAX];
 } Below;
@@ -58,8 +60,12 @@ static Below look_below(const char *folder, int lab_number)
     Below below = {.system = SYSTEM_NONE};
     path_make(inner.path, "%s", folder);
     if (export_entries_read(&inner, lab_number, MOST_LOOKED_AT) == 0) {
-        below.system = inner.system = export_system_find(&inner);
-        export_names_read(&inner);
+        below.is_listed = studip_names_read(&inner) == STUDIP_ABOVE;
+        if (!below.is_listed) {
+            inner.system = export_system_find(&inner);
+            export_names_read(&inner);
+        }
+        below.system = inner.system;
         for (int i = 0; i < inner.n_found; i++) {
             const Found *found = &inner.found[i];
             if (found->is_folder && is_for_submissions(found->file)) {
@@ -79,8 +85,9 @@ static const char *unpack_first(const Export *export)
     return export->is_unpacked ? "unpack the archive yourself and " : "";
 }
 
-// Is the only entry a folder that leads to an export? ILIAS' "Abgaben" does. Of any other folder,
-// which may be a student's, it is only said that it looks so.
+// Is the only entry a folder that leads to an export? ILIAS' "Abgaben" does, and the folder that
+// Stud.IP's list beside it is about. Of any other folder, which may be a student's, it is only said
+// that it looks so.
 static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX])
 {
     const Found *folder = only_folder(export);
@@ -89,7 +96,7 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     }
     path_make(inner, "%s/%s", export->path, folder->file);
     const Below below = look_below(inner, lab_number);
-    if (below.has_submissions ||
+    if (below.has_submissions || below.is_listed ||
         (below.system != SYSTEM_NONE && is_for_submissions(folder->file))) {
         return 1;
     }

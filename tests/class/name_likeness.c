@@ -17,6 +17,7 @@
 #include <unicode/unorm2.h>
 #include <unicode/uscript.h>
 #include <unicode/uspoof.h>
+#include <unicode/ustring.h>
 #include <unicode/utf8.h>
 
 // No character looks like more than some twenty others, an Arabic ligature of a whole sentence.
@@ -182,4 +183,18 @@ int name_looks_like(const char *name, const char *other)
     snprintf(stem, sizeof stem, "%.*s", name_stem(name), name);
     name_likeness(stem, keys[0]);
     return strcmp(keys[0], keys[1]) == 0;
+}
+
+void name_compose(const char *name, char composed[ENTRY_NAME_BYTES])
+{
+    UErrorCode status = U_ZERO_ERROR;
+    UChar units[ENTRY_NAME_BYTES], composed_units[ENTRY_NAME_BYTES];
+    int n;
+    u_strFromUTF8(units, ENTRY_NAME_BYTES, &n, name, -1, &status);
+    n = unorm2_normalize(unorm2_getNFCInstance(&status), units, n, composed_units, ENTRY_NAME_BYTES,
+                         &status);
+    u_strToUTF8(composed, ENTRY_NAME_BYTES, NULL, composed_units, n, &status);
+    if (U_FAILURE(status) || status == U_STRING_NOT_TERMINATED_WARNING) {
+        snprintf(composed, ENTRY_NAME_BYTES, "%s", name);  // too long, or no text
+    }
 }

@@ -17,4 +17,8 @@ int name_stem(const char *name);
 // Does a name look like another, or like another's attempt: "carol-2" like "carol"?
 int name_looks_like(const char *name, const char *other);
 
+// A name composed (NFC): a Mac writes an accent apart from its letter. What is too long, or no
+// text, stays as it is.
+void name_compose(const char *name, char composed[ENTRY_NAME_BYTES]);
+
 #endif

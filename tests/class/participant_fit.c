@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <unicode/unorm2.h>
-#include <unicode/ustring.h>
 
 // Whose "ID" is the number that Canvas writes into names of files.
 static const char *const canvas_titles[] = {"SIS Login ID", "SIS User ID", NULL};
@@ -27,21 +25,6 @@ static unsigned char name_byte(const char **at)
     const char byte = **at == '_' ? ' ' : **at;
     *at += byte != '\0';
     return (unsigned char)byte;
-}
-
-// A name as a whole is composed (NFC): a Mac writes an accent apart from its letter.
-static void name_compose(const char *name, char composed[ENTRY_NAME_BYTES])
-{
-    UErrorCode status = U_ZERO_ERROR;
-    UChar units[ENTRY_NAME_BYTES], composed_units[ENTRY_NAME_BYTES];
-    int n;
-    u_strFromUTF8(units, ENTRY_NAME_BYTES, &n, name, -1, &status);
-    n = unorm2_normalize(unorm2_getNFCInstance(&status), units, n, composed_units, ENTRY_NAME_BYTES,
-                         &status);
-    u_strToUTF8(composed, ENTRY_NAME_BYTES, NULL, composed_units, n, &status);
-    if (U_FAILURE(status) || status == U_STRING_NOT_TERMINATED_WARNING) {
-        snprintf(composed, ENTRY_NAME_BYTES, "%s", name);  // too long, or no text
-    }
 }
 
 // Are these the same name, one of them perhaps from the name of a file? Blanks at the end are none.

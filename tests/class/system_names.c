@@ -11,7 +11,7 @@ enum { MOST_GROUPS = 8 };
 const char *system_title(ExportSystem system)
 {
     static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle", "Canvas", "Blackboard",
-                                                  "Brightspace",  "ILIAS",  "VPL"};
+                                                  "Brightspace",  "ILIAS",  "VPL",    "Stud.IP"};
     return titles[system];
 }
 

@@ -18,6 +18,7 @@ typedef enum ExportSystem {
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
     SYSTEM_VPL,
+    SYSTEM_STUDIP,  // by its list of files (studip_names.h), not by names
     N_SYSTEMS
 } ExportSystem;
 

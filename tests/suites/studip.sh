@@ -11,7 +11,7 @@ check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$b
     --submission solutions/$lab --output "$scratch/right"
 # Beside them it is written down whose file was graded: each holds its student's number.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" 'cat "$submission"/*.cl >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
+stand_in "$scratch/right" 'cat "$submission"/* >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
 
 # ---- The folder of the class --------------------------------------------------------------------
 
@@ -31,5 +31,170 @@ for beside in "" archive_filelist.csv Thumbs.db desktop.ini .DS_Store index.html
     check "is the class" said "3 submissions, 3 graded"
     [ -z "$beside" ] || rm "$scratch/plain/$beside"
 done
+
+# ---- Whose each file is -------------------------------------------------------------------------
+
+# listed FIRST LAST PATH [TIME]: a line of Stud.IP's list of files, by the system's own rules (FileArchiveManager).
+listed() { printf '"%s";"5";"%s";"%s";"0";"%s";"%s"\n' "${3##*/}" "$1" "$2" "${4:-25.11.2026 18:00}" "$3" >>"$list"; }
+
+# file FIRST LAST PATH CONTENT [TIME]: a file of the class, and its line.
+file() {
+    mkdir -p "$(dirname "$scratch/$class_name/$3")"
+    echo "$4" >"$scratch/$class_name/$3"
+    listed "$1" "$2" "$3" "${5:-}"
+}
+
+# new NAME [HEAD]: a class without files yet, and the head of its list.
+new() {
+    class_name=$1 list=$scratch/$1/archive_filelist.csv
+    mkdir -p "$scratch/$1"
+    echo "${2:-\"Name\";\"Größe\";\"Vorname\";\"Nachname\";\"Downloads\";\"Datum\";\"Pfad\"}" >"$list"
+}
+
+# graded STATUS WORDS [OPTION...]: grade the class by the list of participants; the last line begins so.
+graded() {
+    wanted_status=$1 words=$2
+    shift 2
+    check "$class_name: graded" exits "$wanted_status" run "$scratch/$class_name.out" --list "$scratch/people.csv" "$@"
+    check "$class_name: $words" said "$words"
+    class=$scratch/$class_name
+}
+
+# As the system exports its participants.
+cat >"$scratch/people.csv" <<'END'
+Vorname;Nachname;Nutzernamen;Matrikelnummer
+Ada;Lovelace;ada;40012
+Jürgen;Müller;jm;40013
+Grace;Hopper;gh;40014
+Joan;Clarke;jc;40015
+Lukas;Schmidt;ls;40016
+Lukas;Schmidt;ls2;40017
+END
+
+# The names of the files say somebody else, or nothing; one is that of another's whole name.
+people() {
+    file Ada Lovelace "$1Grace Hopper.zip" 40012
+    file Jürgen Müller "$1[0]_Müller_Jürgen_lab00.zip" 40013
+    file Grace Hopper "$1abgabe.zip" 40014 '26.11.2026 00:30'
+    file Joan Clarke "$1gradient.cl" 40015
+}
+everybody() { for number in 40012 40013 40014 40015; do check "$class_name: $number has the own grade" own $number; done; }
+
+new folder && people "Lab 0/"
+pack folder
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
+everybody
+# Unpacked by the instructor: the folder around it, or the one with the files.
+class=$scratch/folder
+rm -r "$scratch/folder.out"
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
+everybody
+class="$scratch/folder/Lab 0"
+rm -r "$scratch/folder.out"
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over" --due "2026-11-26 00:00 Europe/Berlin"
+everybody
+check "when it was handed in" test "$(jq -r '.students[] | select(.name == "Grace Hopper") | .late.seconds' "$class.out/gradebook.json")" -eq 1800
+check "and who was in time" test "$(jq '[.students[] | select(.late.is_late == false)] | length' "$class.out/gradebook.json")" -eq 3
+
+new flat && people ""
+pack flat
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
+everybody
+new english '"Name";"Size";"First name";"Last name";"Downloads";"Date";"Path"' && people "Course/[0]_Lab 0/"
+class="$scratch/english/Course/[0]_Lab 0"
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
+everybody
+# A Mac writes accents apart; a file of another lab has the same name.
+new accents && people "Lab 0/"
+mv "$scratch/accents/Lab 0/[0]_Müller_Jürgen_lab00.zip" "$scratch/accents/Lab 0/$(printf '[0]_Mu\314\210ller_Ju\314\210rgen_lab00.zip')"
+listed Eve Evil "Lab 1/abgabe.zip"
+pack accents
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
+everybody
+
+# Single files and one archive are one attempt, of the last time.
+new several && people "Lab 0/"
+file Joan Clarke "Lab 0/[1]_notes.txt" 40015 '27.11.2026 09:00'
+file Ada Lovelace "Lab 0/readme.txt" 40012
+pack several
+graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over" --due "2026-11-26 12:00 Europe/Berlin"
+check "files of one are together" test "$(cd "$class.out/collected" && echo joan-clarke-*/* ada-lovelace-*/*)" = \
+    "$(cd "$class.out/collected" && echo joan-clarke-*/gradient.cl joan-clarke-*/notes.txt ada-lovelace-*/"Grace Hopper.zip" ada-lovelace-*/readme.txt)"
+check "handed in with the last" test "$(jq -r '.students[] | select(.name == "Joan Clarke") | .late.is_late' "$class.out/gradebook.json")" = true
+
+heart_ends
+
+# ---- What is not certain ------------------------------------------------------------------------
+
+# nobody NUMBER: has the line of the list with this number no grade?
+nobody() { ! grep -e "\"$1\"" "$class.out/gradebook.csv" | grep -v '^,' | grep -q /report.html || { cat "$class.out/gradebook.csv"; return 1; }; }
+
+# Two of one name: their archives stay apart, and the instructor says whose they are.
+new namesakes && people "Lab 0/"
+file Lukas Schmidt "Lab 0/ls.zip" 40016
+file Lukas Schmidt "Lab 0/ls2.zip" 40017
+pack namesakes
+graded 1 "4 of 6 graded and entered"
+everybody
+check "two of one name: neither is guessed" nobody 40016
+check "nor the other" nobody 40017
+printf 'entry,student,counts\nls.zip,ls,yes\nls2.zip,ls2,yes\n' >"$scratch/who.csv"
+class=$scratch/namesakes.zip
+graded 0 "6 of 6 graded and entered" --who "$scratch/who.csv"
+check "two of one name: as the instructor says" own 40016
+check "and the other" own 40017
+# Two archives of one person may be those of two, too.
+new twice && people "Lab 0/"
+file Ada Lovelace "Lab 0/again.zip" 40012
+pack twice
+graded 1 "3 of 5 graded and entered"
+check "two archives of one name: none is guessed" nobody 40012
+
+# Two owners of one file: nobody's, though its name is somebody's.
+new contested && people "Lab 0/"
+file Grace Hopper "Lab 0/Joan Clarke.zip" 1
+listed Jürgen Müller "Lab 0/Joan Clarke.zip"
+sed -i '/gradient.cl/d' "$list" && rm "$scratch/contested/Lab 0/gradient.cl"
+pack contested
+graded 1 "3 of 4 graded and entered"
+check "a file with two owners is nobody's" nobody 40015
+check "and is told of" said '"Joan Clarke.zip": fits no line of the list'
+
+# A student's own file of this name.
+new forged && people "Lab 0/"
+sed 's/Ada";"Lovelace/X/; s/Jürgen";"Müller/Ada";"Lovelace/; s/X/Jürgen";"Müller/' "$list" >"$scratch/forged/Lab 0/archive_filelist.csv"
+pack forged
+graded 0 "4 of 4 graded and entered"
+everybody
+class=$scratch/forged/"Lab 0"
+rm -r "$scratch/forged.out"
+graded 0 "4 of 4 graded and entered"
+everybody
+# Without the system's own: a student does not know the names of most files.
+new guessed && people "Lab 0/"
+mv "$list" "$scratch/full" && grep -v -e abgabe -e gradient "$scratch/full" >"$scratch/guessed/Lab 0/archive_filelist.csv"
+pack guessed
+graded 1 "1 of 3 graded and entered"
+check "a list of half of the files counts for nothing" nobody 40012
+cp "$scratch/full" "$scratch/guessed/Lab 0/archive_filelist.csv"
+ln -s "$scratch/full" "$scratch/guessed/archive_filelist.csv"
+for bad in 'Name;Autor' '"Vorname";"Nachname";"Pfad' "$(printf 'x\377')" ''; do
+    printf '%s\n' "$bad" >"$scratch/guessed/Lab 0/archive_filelist.csv"
+    class="$scratch/guessed/Lab 0"
+    graded 1 "1 of 3 graded and entered"
+    check "a list that is none is told" said "archive_filelist.csv: "
+done
+# Names and files of any kind.
+new hostile
+for i in 1 2 3 4; do file "=1+1$i" '<b>\n' "Lab 0/-rf \$(id) $i.zip" "$i"; done
+file "" "" "Lab 0/gone.zip" 5
+listed Eve Evil "../../../etc/passwd"
+listed Eve Evil "Lab 0/.."
+listed Eve Evil "Lab 0/"
+pack hostile
+check "hostile names: graded" exits 0 run "$scratch/hostile.out"
+check "hostile names: all" said "5 submissions, 5 graded"
+check "hostile names: no formula" sh -c "! grep -E '(^|,)\"?=' '$scratch/hostile.out/gradebook.csv'"
+check "hostile names: as text" grep -q '&lt;b&gt;' "$scratch/hostile.out/class.html"
 
 finish

@@ -1,0 +1,28 @@
+// Whose files are whose in Stud.IP's export: archive_filelist.csv, which it writes beside the
+// folder of the files.
+//
+//   "Name";"Größe";"Vorname";"Nachname";"Downloads";"Datum";"Pfad"
+//   "lab00.zip";"2000";"Ada";"Lovelace";"0";"25.11.2026 18:00";"Lab 0/lab00.zip"
+//
+// Read next: studip_list.h.
+#ifndef CLASS_STUDIP_NAMES_H
+#define CLASS_STUDIP_NAMES_H
+
+#include "export.h"
+
+// Where the list was found that counts.
+typedef enum StudipPlace { STUDIP_NONE, STUDIP_ABOVE, STUDIP_BESIDE } StudipPlace;
+
+// Give the entries that Stud.IP's list names to their owners, and make Stud.IP the export's system.
+// A student may hand in a file of this name. So a list one or two folders above counts before one
+// beside the files, and either only if it names more than half of the entries: no student knows so
+// many.
+//
+// Single files of one owner, and an archive beside them, are one attempt, of the time of the last.
+// Several archives of one name may be those of two people: each is an entry of its own, and whose
+// it is is to be decided. What the list gives to two names is nobody's.
+//
+// A list that cannot be read is told on stderr, and counts for nothing.
+StudipPlace studip_names_read(Export *export);
+
+#endif
