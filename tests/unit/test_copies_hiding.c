@@ -1,4 +1,5 @@
 // copies/forms: a text has its forms whatever is put around it to hide it.
+#include "form_list.h"
 #include "forms.h"
 #include "message.h"
 #include "scope.h"
@@ -217,4 +218,11 @@ Test(copies_hiding, limits_are_told)
         forms_free(&found);
         free(rows[i]);
     }
+}
+
+// No memory is left: the message names what was read, so that an instructor can do without it.
+Test(copies_hiding, short_memory_ends_the_program, .exit_code = 2)
+{
+    memory_reading("ada-lovelace");
+    free(memory_take((size_t)1 << 60));
 }
