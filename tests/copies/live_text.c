@@ -100,7 +100,7 @@ static int is_conditional(const Branches *branches)
     return branches->n_deeper > 0;
 }
 
-// ---- Text ----------------------------------------------------------------------------------------
+// ---- Text --------------------------------------------------------------------------------------
 
 // Copy a piece, or of what is not compiled only the line ends. Returns the copy's end.
 static char *piece_copy(char *to, const char *from, const char *end, int is_whole)

@@ -163,11 +163,24 @@ mv "$class/pair1 b" "$class/=cmd()"
 hand_in comment "$lab" own first 0 "$lab"
 file=implicit2DRenderer_KD.cl
 sed -i 's,bool atLeaf,/* </pre><script>alert(1)</script> \x1b[31m */ bool atLeaf,' "$class/<b>Eve/$file"
-# Brackets without an end, a line without one, no UTF-8, DOS line ends, links, no markers, a skeleton.
+# lines N TEXT: N lines, with their number from 0 for @.
+lines() { awk -v n="$1" -v line="$2" 'BEGIN { for (i = 0; i < n; i++) { copy = line; gsub(/@/, i, copy); print copy } }'; }
+# Brackets without an end, signs that write their operand twice, a line without one, no UTF-8, DOS line ends, links, no markers, a skeleton.
 brackets() { awk 'BEGIN { for (i = 0; i < 50000; i++) printf "(-"; print ";" }'; }
 wide() { awk 'BEGIN { printf "x = 0"; for (i = 0; i < 40000; i++) printf "+a"; print ";" }'; }
+doubling() {
+    printf '#if 1\nx'
+    lines 40 "++"
+    printf ';\n#endif\n'
+    lines 40 "++ "
+    printf 'a; '
+    lines 90 "(" | tr -d '\n'
+    printf a
+    lines 90 "+= 1)"
+    echo ";"
+}
 open_comment() { printf '{ { if (x /* \377\376 "\n'; }
-for bad in brackets wide open_comment; do hand_in "$bad" "$lab" $bad; done
+for bad in brackets wide doubling open_comment; do hand_in "$bad" "$lab" $bad; done
 hand_in dos "$lab" innocent 3 "$lab"
 sed -i 's/$/\r/' "$class/dos/$file"
 mkdir "$class/linked" "$class/unmarked" "$class/skeleton"
@@ -237,6 +250,91 @@ cp "$class/twice/$file" "$class/Jane Doe_2_assignsubmission_onlinetext_"
 rm -r "$class/twice"
 check "attempts of one student" look 0 --lab 03 --submissions "$class"
 check "are one author" is "$(jq -c '[.authors, (.pairs | length)]' "$out/copies.json")" '[6,0]'
+
+# ---- Put around a text so that it is not found ----------------------------------------------------
+
+# A class of 14 in which two have one text, and one of them changed it without another thought.
+in_macro() { sed 's/$/ \\/; 1s/^/#define P0 /' "$scratch/plain"; printf '\nP0\n'; }
+in_function() { echo "void p0(void) {"; cat "$scratch/plain"; echo "} p0();"; }
+after_flood() { echo "#if 0"; lines 20001 "z;"; echo "#endif"; cat "$scratch/plain"; }
+after_live_flood() { lines 20001 "z;"; cat "$scratch/plain"; }
+after_shadows() {
+    printf '{ int x = 0, y = 0, id = 0'
+    grep -oE '\b[a-zA-Z_][a-zA-Z_0-9]*\b' "$scratch/skeleton" | sort -u | sed 's/.*/, & = 0/' | tr -d '\n'
+    echo '; (void)x; }'
+    cat "$scratch/plain"
+}
+after_dead_shadows() { echo "#if 0"; after_shadows | sed 's/}$/}\n#endif/'; }
+after_names() { lines 1001 "int junk@;"; sed 's/\bid\b/number/g; 1s/^/uint number = id;\n/' "$scratch/plain"; }
+diluted() { echo "#if 0"; lines 300 "junk_$1_@(@);"; echo "#endif"; cat "$scratch/plain"; }
+diluted_block() { echo "if (0) {"; lines 300 "junk_$1_@(@);"; echo "}"; cat "$scratch/plain"; }
+after_empty_lines() { lines 401 ""; cat "$scratch/plain"; }
+after_other_lines() { lines 401 "a_line(@);"; cat "$scratch/plain"; }
+hidden() { # HOW LAB FILE TASK
+    own first 0 "$2" "$3" "$4" >"$scratch/plain"
+    [ -s "$scratch/plain" ] || return 1
+    cp "labs/$2/$3" "$scratch/skeleton"
+    $1
+}
+hand_in_pair() { # HOW [HOW OF THE OTHER]
+    rm -rf "$class/pair a" "$class/pair b"
+    hand_in "pair a" "$lab" hidden "$1" "$lab"
+    hand_in "pair b" "$lab" hidden "${2:-plain}" "$lab"
+}
+plain() { cat "$scratch/plain"; }
+one() { diluted one; }
+other() { diluted other; }
+one_block() { diluted_block one; }
+other_block() { diluted_block other; }
+hard() { jq -r '.hard[] | "\(.author.name): \(.found)"' "$out/copies.json"; }
+rm -rf "$class"
+for i in 1 2 3 4 5 6 7 8 9 10 11 12; do hand_in "innocent $i" "$lab" innocent $i "$lab"; done
+for how in plain in_macro in_function after_flood after_live_flood after_shadows after_dead_shadows after_names \
+    "one other" "one_block other_block" after_empty_lines after_other_lines; do
+    # shellcheck disable=SC2086 # one or two words
+    hand_in_pair $how
+    check "a pair of which a text is changed: $how" look 0 --lab 03 --submissions "$class"
+    check "$how: it is listed" listed "pair a" "pair b"
+    case $how in
+    in_macro | after_flood | "one other") check "$how: and is hard to compare" sh -c 'grep -q "^pair a: " && ! grep -q innocent' <<EOF ;;
+$(hard)
+EOF
+    plain) check "$how: nobody is hard to compare" is "$(hard)" "" ;;
+    esac
+done
+# The last one has its text behind 401 other lines.
+check "of a long answer the page has the lines that count" grep -q '<span class="line soft">[0-9]* more lines</span>' "$out/copies.html"
+marked() { grep -o '<span class="line only"[^>]*>[^<]*' "$out/copies.html" | sed 's/.*>//' | sort | uniq -c | awk '$1 % 2' | grep .; }
+check "as often on the one side as on the other" is "$(marked)" ""
+hand_in_pair after_empty_lines
+check "behind empty lines" look 0 --lab 03 --submissions "$class"
+check "the same" is "$(marked)" ""
+
+# ---- What cannot be read --------------------------------------------------------------------------
+
+as_user=
+[ "$(id -u)" -ne 0 ] || as_user="setpriv --reuid 65534 --regid 65534 --clear-groups"
+mkdir -m 1777 "$scratch/everybodys"
+mkdir "$class/<i>closed"
+cp "$class/pair a/$file" "$class/<i>closed"
+chmod 000 "$class/<i>closed"
+read_as_user() {
+    # shellcheck disable=SC2086 # a command and its words
+    TMPDIR=$scratch/everybodys SANDBOX=none $as_user tests/copies/copies.sh --build "$build" --lab 03 \
+        --submissions "$class" --output "$scratch/everybodys/out" >"$scratch/said" 2>&1 </dev/null
+}
+check "a folder that is closed" exits 0 read_as_user
+check "is named" said 'copies: "<i>closed" cannot be read, and is not compared'
+check "and counted" said 'cannot be read: 1 of the submissions'
+out=$scratch/everybodys/out
+check "it is on the page" grep -qF '<td class="name">&lt;i&gt;closed</td><td>files that cannot be read' "$out/copies.html"
+check "and in what programs read" is "$(jq -c '[.unread[].name]' "$out/copies.json")" '["<i>closed"]'
+check "the others are compared" listed "pair a" "pair b"
+chmod 000 "$class"/*
+check "where all are closed" exits 2 read_as_user
+check "one message says so" said "none of 15 entries can be read"
+chmod 755 "$class"/*
+out=$scratch/out
 
 # ---- Over several labs ----------------------------------------------------------------------------
 

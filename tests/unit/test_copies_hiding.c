@@ -1,4 +1,6 @@
 // copies/forms: a text has its forms whatever is put around it to hide it.
+#include "expression.h"
+#include "form_list.h"
 #include "forms.h"
 #include "message.h"
 #include "scope.h"
@@ -203,7 +205,7 @@ Test(copies_hiding, much_before_a_text_leaves_it_its_forms)
 Test(copies_hiding, limits_are_told)
 {
     char *different = numbered("f(%d);", FORMS_MAX + 1);
-    char *names = numbered("int n%d;", FORMS_MAX + 1);
+    char *names = numbered("#define n%d\n", OWN_NAMES_MAX + 1);
     char *sum = numbered("+ a%d", 600);
     char *long_names = numbered("+ aVeryLongNameOfAVariableThatIsInTheSum%d", 150);
     char *rows[] = {different, names, sum, long_names};
@@ -217,4 +219,11 @@ Test(copies_hiding, limits_are_told)
         forms_free(&found);
         free(rows[i]);
     }
+}
+
+// No memory is left: the message names what was read, so that an instructor can do without it.
+Test(copies_hiding, short_memory_ends_the_program, .exit_code = 2)
+{
+    memory_reading("ada-lovelace");
+    memory_end();
 }
