@@ -140,7 +140,8 @@ check "two of one name: neither is guessed" nobody 40016
 check "nor the other" nobody 40017
 printf 'entry,student,counts\nls.zip,ls,yes\nls2.zip,ls2,yes\n' >"$scratch/who.csv"
 class=$scratch/namesakes.zip
-graded 0 "6 of 6 graded and entered" --who "$scratch/who.csv"
+graded 0 "6 of 6 graded and entered" --who "$scratch/who.csv" --due "2026-11-26 00:00 Europe/Berlin"
+check "two of one name: when each was handed in" test "$(jq '[.students[].late.handed_in // empty] | length' "$scratch/namesakes.out/gradebook.json")" -eq 6
 check "two of one name: as the instructor says" own 40016
 check "and the other" own 40017
 # Two archives of one person may be those of two, too.
