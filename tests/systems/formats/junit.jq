@@ -52,10 +52,15 @@ def document($lab; $seconds; $properties):
     "  </testsuite>",
     "</testsuites>";
 
+# Some readers know a case by its name alone: of two with one title each gets its task behind it.
+def named:
+  (group_by(.title) | map(select(length > 1)[0].title)) as $twice
+  | map(if .title | IN($twice[]) then .title += " (\(.group))" else . end);
+
 if . == null then
   [{ group: $lab, title: "grader", status: "error", message: fault, words: "" }]
   | document($lab; 0; [])
 else
   . as $result
-  | [tests] | document($result.lab; $result.seconds; [$result | properties])
+  | [tests] | named | document($result.lab; $result.seconds; [$result | properties])
 end
