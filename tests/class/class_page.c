@@ -55,7 +55,7 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
     for (int i = 0; scores != NULL && i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         n_graded += row_is_graded(row);
-        if (row_is_graded(row) && row_that_counts(gradebook, row) == row) {
+        if (row_is_counted(gradebook, row)) {
             scores[n++] = row->score;
             sum += row->score;
             n_full += row->score == gradebook->max_score;
@@ -249,8 +249,7 @@ static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
     if (corrections_has(gradebook, row)) {
         fputs(" <a class=\"soft\" href=\"#corrections\">corrected</a>", page);
     }
-    const LateRow *late = lateness_of(gradebook, row);
-    if (late != NULL && lateness_is_late(late)) {
+    if (lateness_is_late(lateness_of(gradebook, row))) {
         fputs(" <a class=\"soft\" href=\"#late\">late</a>", page);
     }
     fprintf(page, "</td><td class=\"number\"><b>%d</b> / %d", row->score, gradebook->max_score);

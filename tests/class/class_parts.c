@@ -38,7 +38,7 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row_is_graded(row) && row_that_counts(gradebook, row) == row) {
+        if (row_is_counted(gradebook, row)) {
             const int count = ++counts[bar_of(gradebook, row->score)];
             most = count > most ? count : most;
         }
@@ -273,7 +273,7 @@ static void task_write(FILE *page, const Gradebook *gradebook, int t)
     double sum = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (!row_is_graded(row) || row_that_counts(gradebook, row) != row) {
+        if (!row_is_counted(gradebook, row)) {
             continue;
         }
         n_answered += is_answered(gradebook, row, task);
@@ -321,7 +321,7 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
         int n_passed = 0, n_counted = 0;
         for (int r = 0; r < gradebook->n_rows; r++) {
             const Row *row = &gradebook->rows[r];
-            const int counts = row_is_graded(row) && row_that_counts(gradebook, row) == row;
+            const int counts = row_is_counted(gradebook, row);
             n_counted += counts;
             n_passed += counts && row->passed[i];
         }

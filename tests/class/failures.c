@@ -88,7 +88,7 @@ static int faults_list(const Gradebook *gradebook, Fault *faults)
     int n = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row_that_counts(gradebook, row) != row || !row_is_graded(row)) {
+        if (!row_is_counted(gradebook, row)) {
             continue;
         }
         if (row->fault != NULL && row->fault_id[0] == '\0') {

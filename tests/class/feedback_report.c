@@ -14,12 +14,6 @@
 
 // ---- The comment --------------------------------------------------------------------------------
 
-static int is_late(const Gradebook *gradebook, const Row *row)
-{
-    const LateRow *late = lateness_of(gradebook, row);
-    return late != NULL && lateness_is_late(late);
-}
-
 char *feedback_comment(const Gradebook *gradebook, const Row *row)
 {
     char *comment = NULL;
@@ -46,7 +40,7 @@ char *feedback_comment(const Gradebook *gradebook, const Row *row)
         fputs(". Corrected by hand: ", text);
         corrections_write(text, gradebook, row, NULL);
     }
-    if (is_late(gradebook, row)) {
+    if (lateness_is_late(lateness_of(gradebook, row))) {
         fputs(". Late: ", text);
         lateness_write(text, gradebook, row);
     }
@@ -70,7 +64,7 @@ static void changes_section_write(FILE *report, const Gradebook *gradebook, cons
         fprintf(report, "%d of %d points instead of %d. ", row->score, gradebook->max_score,
                 row->graded_score);
     }
-    if (is_late(gradebook, row)) {
+    if (lateness_is_late(lateness_of(gradebook, row))) {
         fputs("This was ", report);
         lateness_write(report, gradebook, row);
         fputs(". ", report);
@@ -116,7 +110,8 @@ char *feedback_report(const Gradebook *gradebook, const Row *row, size_t *n_byte
     // Names and messages are escaped in a report: the first such mark is the grader's own.
     static const char head_end[] = "</header>\n";
     const char *rest = strstr(report, head_end);
-    const int is_changed = corrections_has(gradebook, row) || is_late(gradebook, row);
+    const int is_changed =
+        corrections_has(gradebook, row) || lateness_is_late(lateness_of(gradebook, row));
     if (!is_changed || rest == NULL) {
         return report;
     }

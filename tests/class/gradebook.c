@@ -59,6 +59,11 @@ int row_is_graded(const Row *row)
     return row->status == ROW_GRADED || row->status == ROW_OUTDATED;
 }
 
+int row_is_counted(const Gradebook *gradebook, const Row *row)
+{
+    return row_is_graded(row) && row_that_counts(gradebook, row) == row;
+}
+
 int row_is_entered(const Gradebook *gradebook, const Row *row)
 {
     return row_is_graded(row) || (row->status == ROW_NOTHING && gradebook->nothing_is_zero);

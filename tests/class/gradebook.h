@@ -101,6 +101,9 @@ const Row *row_that_counts(const Gradebook *gradebook, const Row *row);
 // Was it graded? Only then its score counts in means and counts of passed checks.
 int row_is_graded(const Row *row);
 
+// Was it graded, and is it the attempt that counts? An earlier one is no other student's.
+int row_is_counted(const Gradebook *gradebook, const Row *row);
+
 // Does a row's score go into gradebooks?
 int row_is_entered(const Gradebook *gradebook, const Row *row);
 

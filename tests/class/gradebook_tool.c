@@ -167,7 +167,7 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         n_outdated += row->status == ROW_OUTDATED;
-        if (row_is_graded(row) && row_that_counts(gradebook, row) == row) {
+        if (row_is_counted(gradebook, row)) {
             n_counted++;
             sum += row->score;
             n_full += row->score == gradebook->max_score;

@@ -180,7 +180,7 @@ const LateRow *lateness_of(const Gradebook *gradebook, const Row *row)
 
 int lateness_is_late(const LateRow *late)
 {
-    return late->seconds > 0 || late->is_marked;
+    return late != NULL && (late->seconds > 0 || late->is_marked);
 }
 
 // ---- Points ------------------------------------------------------------------------------------

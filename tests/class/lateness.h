@@ -50,7 +50,7 @@ int lateness_apply(Lateness *lateness, Gradebook *gradebook, const Worksheet *wo
 // A row's; NULL where no deadline was given.
 const LateRow *lateness_of(const Gradebook *gradebook, const Row *row);
 
-// Was it handed in late?
+// Was it handed in late? NULL: no deadline was given, so nothing was.
 int lateness_is_late(const LateRow *late);
 
 // "handed in 2026-11-26 10:05 CET, 10 h 5 min late: 10 points off", not escaped; nothing where the

@@ -44,7 +44,7 @@ static void when_write(FILE *file, const LateRow *late)
 void lateness_write(FILE *file, const Gradebook *gradebook, const Row *row)
 {
     const LateRow *late = lateness_of(gradebook, row);
-    if (late == NULL || !lateness_is_late(late)) {
+    if (!lateness_is_late(late)) {
         return;
     }
     fputs("handed in ", file);

@@ -54,7 +54,7 @@ static const OptionRow ROWS[] = {
      .meaning = "OpenCL device by number or name"},
     {"time-limit", "S", OPTION_NUMBER, PLACE(settings.time_limit), 1, 3600,
      .meaning = "seconds of processor time that a submission may use\n"
-                "(default: 8 times what the solution uses here, 10 at least)"},
+                "(default: 6 times what the solution uses here, 5 at least)"},
     {"deadline", "S", OPTION_NUMBER, PLACE(settings.deadline), 1, 86400,
      .meaning = "be done S seconds from now: what a submission has not done\n"
                 "by then, and had the machine for, it has not done"},

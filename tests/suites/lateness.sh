@@ -6,9 +6,7 @@ set -u
 . tests/tap.sh
 . tests/classes.sh
 
-check "right results" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
-    --submission solutions/$lab --output "$scratch/right"
-stand_in "$scratch/right"
+all_right
 
 out=$scratch/out
 due="2026-11-25 23:59 Europe/Berlin"

@@ -7,9 +7,7 @@ set -u
 . tests/tap.sh
 . tests/classes.sh
 
-check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
-    --submission solutions/$lab --output "$scratch/right"
-stand_in "$scratch/right"
+all_right
 
 # class_of NAME FILE...: a class of such single files.
 class_of() {

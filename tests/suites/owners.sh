@@ -7,10 +7,7 @@ set -u
 . tests/tap.sh
 . tests/classes.sh
 
-# One real grading, which everybody gets.
-check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
-    --submission solutions/$lab --output "$scratch/right"
-stand_in "$scratch/right"
+all_right
 
 # ---- Who is who in Moodle's list ----------------------------------------------------------------
 
