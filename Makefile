@@ -60,7 +60,12 @@ endif
 # `make V=1` shows whole commands.
 say = $(if $(V),,@echo "  $(1)" && )
 objects = $(patsubst %,$(OUT)/obj/%.o,$(sort $(1)))
-# Two recipes: an archive of all objects that its target depends on; a program of all objects and archives.
+# Three recipes: an object, which is as old as the moment in which its compiler began, so that a header that is
+# saved while it runs is newer; an archive of all objects that its target depends on; a program of all objects and archives.
+define compile  # COMPILER AND FLAGS, for whom
+	@mkdir -p $(@D) && : >$@.begun
+	$(call say,compile $<$(2))$(1) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@ && touch -r $@.begun $@
+endef
 archive = @mkdir -p $(@D) && rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 define link  # LIBRARIES
 	@mkdir -p $(@D)
@@ -101,11 +106,9 @@ $(OUT)/labs/% $(OUT)/solutions/%:
 
 # When a flag changes, here or in the grader's or the judge's file, everything is compiled anew.
 $(OUT)/obj/%.c.o: %.c $(FLAG_FILES)
-	@mkdir -p $(@D)
-	$(call say,compile $<)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@
+	$(call compile,$(CC) $(CFLAGS))
 $(OUT)/obj/%.cpp.o: %.cpp $(FLAG_FILES)
-	@mkdir -p $(@D)
-	$(call say,compile $<)$(CXX) $(CXXFLAGS) -MMD -MP $(INCLUDES) $(shell pkg-config --cflags OpenImageIO) -fPIC -c $< -o $@
+	$(call compile,$(CXX) $(CXXFLAGS) $(shell pkg-config --cflags OpenImageIO) -fPIC)
 $(OUT)/libcommon.a: $(call objects,$(wildcard common/*.c))
 	$(archive)
 # Loaded by whatever reads or writes a picture, from the folder above the program (image_codec.h).
@@ -143,4 +146,4 @@ help:  ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / && " $(has_not) " !~ " " $$1 " " { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); \
 	    $(if $(word 2,$(here)),,sub(/ \[SOLUTION=1\]/, ""); sub(/, with the grades of classes there/, ""); ) printf "  make %-12s %s\n", $$1, $$2 }' $(filter %Makefile %.mk,$(MAKEFILE_LIST))
 
--include $(shell find $(OUT)/obj -name '*.d' 2>/dev/null)
+-include $(shell find $(OUT)/obj $(OUT)/native/obj -name '*.d' 2>/dev/null)

@@ -171,8 +171,7 @@ $(SUITE_TOOLS): $(OUT)/tools/%: $(OUT)/obj/tests/tools/%.c.o $(OUT)/libgrader.a 
 # Two of them in one program, which loads the library for pictures once (tests/tools/pictures.c).
 SERVED = compare crop
 $(OUT)/obj/served/%.o: tests/tools/%.c $(FLAG_FILES)
-	@mkdir -p $(@D)
-	$(call say,compile $< for pictures)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) -Dmain=$*_main -c $< -o $@
+	$(call compile,$(CC) $(CFLAGS) -Dmain=$*_main, for pictures)
 $(OUT)/tools/pictures: $(call objects,tests/tools/pictures.c) $(SERVED:%=$(OUT)/obj/served/%.o) $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES) -ldl)
 $(OUT)/tests/no_images.so: tests/tools/no_images.c

@@ -25,8 +25,7 @@ $(OUT)/obj/follow/%.o: EXTRA = -I common/follow -I $(followed_lab) $(call includ
     -DLAB_NAME='"$(notdir $(followed_lab))"' -DLAB_FOLDER='"$(followed_lab)"' -DSTEPS_FOLDER='"common/follow/steps"' \
     -DKERNEL_OPTIONS='"$(call include_path,$(notdir $(followed_lab)))"'
 $(OUT)/obj/follow/%.o: common/follow/$$(notdir $$*).c $(FLAG_FILES)
-	@mkdir -p $(@D)
-	$(call say,compile $< for $(followed_lab))$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@
+	$(call compile,$(CC) $(CFLAGS), for $(followed_lab))
 
 # The reference knows the answers: it is not in a handout, where no_reference.c stands in its place.
 REFERENCE := $(wildcard tests/follow/*.c)

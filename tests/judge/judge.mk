@@ -33,8 +33,7 @@ $(OUT)/tools/judge: $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 # The same for handouts, which go to machines of both kinds, each with the judge of its lab alone.
 LAB_JUDGES = $(JUDGE_NUMBERS:%=$(OUT)/tools/judge-%)
 $(OUT)/obj/only/%.o: tests/judge/one_judge.c $(FLAG_FILES)
-	@mkdir -p $(@D)
-	$(call say,compile $< for lab $*)$(CC) $(CFLAGS) -MMD -MP $(INCLUDES) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DTHE_JUDGE=judge_$* -c $< -o $@
+	$(call compile,$(CC) $(CFLAGS) $(AUTHORS_INCLUDES) $(GRADER_INCLUDES) -DTHE_JUDGE=judge_$*, for lab $*)
 $(LAB_JUDGES): $(OUT)/tools/judge-%: $(OUT)/obj/only/%.o $(call objects,$(JUDGE_NEEDS)) $(OUT)/libjudge.a
 	$(call link,-static-pie -lm)
 # What a handout holds is judges/x86_64/tools/judge-NN or judges/aarch64/tools/judge-NN. It should take work

@@ -10,9 +10,8 @@ from_root = $(if $(filter /%,$(1)),$(1),$(CURDIR)/$(1))
 
 # A library's code may lie anywhere.
 $(NATIVE)/obj/%.c.o: %.c $(FLAG_FILES)
-	@mkdir -p $(@D)
-	$(call say,compile $< for kernels)$(CC) $(CFLAGS) -fPIC -MMD -MP $(INCLUDES) \
-	    -DNATIVE_CACHE='"$(call from_root,$(NATIVE)/kernels)"' -DNATIVE_HEADER='"$(call from_root,tests/native/kernels.h)"' -c $< -o $@
+	$(call compile,$(CC) $(CFLAGS) -fPIC -DNATIVE_CACHE='"$(call from_root,$(NATIVE)/kernels)"' \
+	    -DNATIVE_HEADER='"$(call from_root,tests/native/kernels.h)"', for kernels)
 $(NATIVE)/obj/builtins.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,compile $<)clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Xclang -fdeclare-opencl-builtins \

@@ -1,7 +1,35 @@
 #!/bin/sh
-# A lab is its folders: one that is made up, lab 01 under another number, is built, graded and tried
+# What make finds out: that a header has changed, also one saved while a compiler runs.
+# And that a lab is its folders: one that is made up, lab 01 under another number, is built, graded and tried
 # without a line changed elsewhere: in a copy of the course, which is removed with the suite.
 . tests/tap.sh
+
+# ---- A header of which make must know ------------------------------------------------------------
+
+# A folder for the course in which headers may change.
+top=$PWD
+mkdir "$scratch/top" && cd "$scratch/top" && ln -s "$top"/* . && rm -f common build && cp -pR "$top/common" common || exit 1
+cat >"$scratch/compiler" <<'END'
+#!/bin/sh
+# It has read the header, and writes the object last.
+gcc "$@" || exit
+echo '// saved' >>common/path.h
+for object; do :; done
+touch "$object"
+END
+chmod +x "$scratch/compiler"
+is_old() { make -q "$1" >/dev/null 2>&1; [ $? -eq 1 ]; }
+for object in build/obj/common/path.c.o build/native/obj/common/path.c.o; do
+    check "$object: made while its header is saved" make -s CC="$scratch/compiler" "$object"
+    check "it is old" is_old "$object"
+    check "it is made again" make -s "$object"
+    check "and is new" make -q "$object"
+    echo '// saved' >>common/path.h
+    check "until its header changes" is_old "$object"
+done
+cd "$top" || exit 1
+
+# ---- A lab that is made up -----------------------------------------------------------------------
 
 if [ -n "${HEART:-}" ]; then
     skip "a lab that is made up" "building it takes a minute: make test-all"

@@ -90,6 +90,11 @@ if git ls-files >/dev/null 2>&1; then
     changed=$(git ls-files -- '*.sh' '*.mk' Makefile .ci/run '*.[ch]' '*.cl' | git check-attr --stdin eol | grep -v ': lf$')
     [ -z "$changed" ]
     ok $? "a clone on Windows (core.autocrlf) keeps the ends of lines" "$changed"
+
+    # Git for Windows ends a clone without a checkout where a path has other signs.
+    odd=$(git ls-files -z | tr '\0\n' '\n\t' | LC_ALL=C grep -v '^[A-Za-z0-9._/-]*$' | cat -v)
+    [ -z "$odd" ]
+    ok $? "every path in the repository is made of A-Z, a-z, 0-9, '.', '_', '/' and '-'" "$odd"
 fi
 
 strays=$(find common kernels labs solutions slides-notes tests -name '*.o' -o -name '*.orig' -o -name '*~' -o -name 'a.out')
