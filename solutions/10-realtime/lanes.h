@@ -10,8 +10,11 @@
 
 // Clang warns of functions that take vectors wider than the processor's registers: code compiled
 // for another processor would pass them otherwise. Here all of it is compiled at once.
-#ifdef __clang__
+// Older clangs, and compilers made of them, do not know the warning, and would warn of its name.
+#ifdef __has_warning
+#if __has_warning("-Wpsabi")
 #pragma clang diagnostic ignored "-Wpsabi"
+#endif
 #endif
 
 #ifndef LANES

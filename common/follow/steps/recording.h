@@ -11,7 +11,11 @@
 typedef Steps Work;
 
 // Kernels begin with Work work = {0, 0, 0, 0}: what is more is 0, too, and no mistake.
+#ifdef __has_warning
+#if __has_warning("-Wmissing-field-initializers")
 #pragma clang diagnostic ignored "-Wmissing-field-initializers"
+#endif
+#endif
 
 static inline void step_add(Work *work, Step step)
 {
