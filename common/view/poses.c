@@ -6,17 +6,14 @@
 #include "complain.h"
 #include "line_reader.h"
 #include "number.h"
-#include "output_file.h"
 #include "text_file.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
-void poses_add(Poses *poses, Pose pose)
+static void poses_add(Poses *poses, Pose pose)
 {
-    if (poses->n == POSES_MAX) {
-        return;
-    }
     if (poses->n == poses->n_allocated) {
         const int n_allocated = 2 * poses->n + 256;
         Pose *grown = world_allocate((size_t)n_allocated * sizeof *grown);
@@ -75,6 +72,10 @@ int poses_read(const char *path, const WorldKind *kind, Poses *poses)
             continue;
         }
         result = pose_read(&reader, kind, &pose);
+        if (result == 0 && poses->n == POSES_MAX) {
+            line_fault(&reader, "", "one more pose", "at most " NUMBER_TEXT(POSES_MAX));
+            break;
+        }
         poses_add(poses, pose);
     }
     fclose(file);
@@ -88,19 +89,37 @@ int poses_read(const char *path, const WorldKind *kind, Poses *poses)
     return -1;
 }
 
-int poses_write(const char *path, const WorldKind *kind, const Poses *poses)
+// ---- Writing ------------------------------------------------------------------------------------
+
+static int write_fault(const char *path)
 {
-    OutputFile output;
-    if (output_file_open(&output, path) != 0) {
-        return -1;
+    complain("%s: cannot be written: %s", path, strerror(errno));
+    return -1;
+}
+
+int poses_record_open(const char *path, const WorldKind *kind, PosesRecord *record)
+{
+    *record = (PosesRecord){.file = fopen(path, "we"), .path = path};
+    if (record->file == NULL) {
+        return write_fault(path);
     }
-    fprintf(output.file, "# a path, 25 poses a second: %s\n", kind->pose_line);
-    for (int i = 0; i < poses->n; i++) {
-        for (int number = 0; number < kind->n_numbers; number++) {
-            // Nine digits give every float back.
-            fprintf(output.file, "%s%.9g", number > 0 ? " " : "", poses->poses[i].numbers[number]);
-        }
-        fputc('\n', output.file);
+    fprintf(record->file, "# a path, 25 poses a second: %s\n", kind->pose_line);
+    return fflush(record->file) == 0 ? 0 : write_fault(path);
+}
+
+int poses_record_add(PosesRecord *record, const WorldKind *kind, const Pose *pose)
+{
+    for (int number = 0; number < kind->n_numbers; number++) {
+        // Nine digits give every float back.
+        fprintf(record->file, "%s%.9g", number > 0 ? " " : "", pose->numbers[number]);
     }
-    return output_file_commit(&output);
+    fputc('\n', record->file);
+    record->n++;
+    // A line is far shorter than the stream's buffer, so it is written whole.
+    return fflush(record->file) == 0 ? 0 : write_fault(record->path);
+}
+
+int poses_record_close(PosesRecord *record)
+{
+    return fclose(record->file) == 0 ? 0 : write_fault(record->path);
 }

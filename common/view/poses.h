@@ -9,8 +9,10 @@
 
 #include "world.h"
 
-// An hour of poses.
-#define POSES_MAX 90000
+#include <stdio.h>
+
+// Eleven hours of poses.
+#define POSES_MAX 1000000
 
 typedef struct Poses {
     Pose *poses;  // [n]
@@ -18,14 +20,23 @@ typedef struct Poses {
     int n_allocated;
 } Poses;
 
-// Add one at the end; beyond POSES_MAX nothing is added. Release with poses_free(), which accepts
-// zeroed Poses.
-void poses_add(Poses *poses, Pose pose);
+// Read a file. Returns 0, or -1 after one message on stderr that names the file and the line. A
+// path of no pose is refused, and one of more than POSES_MAX. Release with poses_free(), which
+// accepts zeroed Poses.
+int poses_read(const char *path, const WorldKind *kind, Poses *poses);
 void poses_free(Poses *poses);
 
-// Read or write a file. Return 0, or -1 after one message on stderr that names the file and the
-// line. A path of no pose is refused.
-int poses_read(const char *path, const WorldKind *kind, Poses *poses);
-int poses_write(const char *path, const WorldKind *kind, const Poses *poses);
+// A path that is written while it is flown. Each pose is in the file as soon as it is written, so
+// that nothing of a flight is lost however the program ends. What was in the file before is gone.
+typedef struct PosesRecord {
+    FILE *file;  // NULL before poses_record_open()
+    const char *path;
+    int64_t n;  // poses that are written
+} PosesRecord;
+
+// Begin, go on with one more pose, and end. Return 0, or -1 after one message on stderr.
+int poses_record_open(const char *path, const WorldKind *kind, PosesRecord *record);
+int poses_record_add(PosesRecord *record, const WorldKind *kind, const Pose *pose);
+int poses_record_close(PosesRecord *record);
 
 #endif

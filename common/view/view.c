@@ -125,7 +125,8 @@ static const double LONGEST_FRAME_MS = 250;
 typedef struct Session {
     Viewer viewer;
     Script script;
-    Poses played, recorded;
+    Poses played;
+    PosesRecord record;
     double played_s, recorded_s;  // how much of the path is played; how long is recorded
     double latencies[MAX_LATENCIES];
     int n_latencies;
@@ -156,10 +157,11 @@ static void path_play(Session *session, double seconds)
 // Write down where the world was seen from in these seconds.
 static void path_record(Session *session, double seconds)
 {
+    const World *world = &session->viewer.world;
     session->recorded_s += seconds;
-    while (session->recorded.n < POSES_MAX &&
-           session->recorded.n < session->recorded_s * POSES_A_SECOND - 0.5) {
-        poses_add(&session->recorded, session->viewer.world.pose);
+    while (session->record.file != NULL &&
+           (double)session->record.n < session->recorded_s * POSES_A_SECOND - 0.5) {
+        require(poses_record_add(&session->record, world->kind, &world->pose));
     }
 }
 
@@ -260,28 +262,29 @@ static void session_open(Session *session, const Lab *lab)
     require(image_create(viewer->world.width, height, &viewer->heat));
     require(window_open(&viewer->window, lab->name, width > MIN_WIDTH ? width : MIN_WIDTH,
                         height > MIN_HEIGHT ? height : MIN_HEIGHT));
+    if (options->record != NULL) {
+        require(poses_record_open(options->record, viewer->world.kind, &session->record));
+    }
 }
 
 static void session_close(Session *session)
 {
     script_close(&session->script);
     poses_free(&session->played);
-    poses_free(&session->recorded);
     image_free(&session->viewer.heat);
     window_close(&session->viewer.window);
 }
 
 static void session_run(Session *session, Lab *lab)
 {
-    Viewer *viewer = &session->viewer;
     session_open(session, lab);
     if (lab->options.script != NULL) {
         require(session_scripted(session));
     } else {
         session_live(session);
     }
-    if (lab->options.record != NULL) {
-        require(poses_write(lab->options.record, viewer->world.kind, &session->recorded));
+    if (session->record.file != NULL) {
+        require(poses_record_close(&session->record));
     }
     stats_milliseconds(&lab->stats, "key_to_frame", session->latencies, session->n_latencies);
     session_close(session);

@@ -326,6 +326,27 @@ check "F flies it once more" works window 07 "$(printf 'frames 12\nkey HOME\nfra
     --scene sphereflake:size=1 --size 64x48 --path "$out/flight.path"
 check "and ends there, too" shows again 64x48 "$(picture flown 64x48)"
 
+# An hour of standing still. However the window ends meanwhile, the flight up to then is there.
+yes '2 1.5 1.75 0 0 0 0 0 1' | head -n 90000 >"$scratch/hour.path"
+is_flying() { [ "$(wc -l <"$out/flown.path")" -gt 5 ]; }
+ends_by() (
+    [ "$1" != display ] || display_open
+    # sh lets no signal of the keyboard reach what it starts in the background.
+    env --default-signal=INT "$build/view/solutions/07-kdtree-3d-trace" --scene one --size 64x48 \
+        --path "$scratch/hour.path" --record "$out/flown.path" >/dev/null 2>&1 </dev/null &
+    window=$!
+    await is_flying
+    n_poses=$(wc -l <"$out/flown.path")
+    case $1 in display) kill "$display_server" ;; *) kill -s "$1" $window ;; esac
+    ! wait $window && sed -n '2,$p' "$out/flown.path" | head -n $((n_poses - 1)) >"$scratch/before" &&
+        head -n $((n_poses - 1)) "$scratch/hour.path" | cmp - "$scratch/before"
+)
+for end in INT TERM HUP KILL display; do
+    : >"$out/flown.path"
+    check "a flight that $end ends is recorded up to there" ends_by $end
+    check "and can be flown" works window 07 'frames 1' --scene one --size 64x48 --path "$out/flown.path"
+done
+
 mkdir "$out/film"
 # A frame of a film before, which was longer.
 : >"$out/film/frame-00200.png"

@@ -17,16 +17,45 @@ static int read_text(const char *text, Poses *poses)
 
 Test(poses, what_is_written_is_read)
 {
-    Poses written = {0}, found;
-    for (int i = 0; i < 1000; i++) {
-        poses_add(&written, (Pose){{(f32)i / 3, -1e-20f * (f32)i, 3e38f}});
+    enum { N_POSES = 1000 };
+    static Pose written[N_POSES];
+    PosesRecord record;
+    Poses found;
+    cr_assert_eq(poses_record_open("a.path", &KIND, &record), 0);
+    for (int i = 0; i < N_POSES; i++) {
+        written[i] = (Pose){{(f32)i / 3, -1e-20f * (f32)i, 3e38f}};
+        cr_assert_eq(poses_record_add(&record, &KIND, &written[i]), 0);
     }
-    cr_assert_eq(poses_write("a.path", &KIND, &written), 0);
+    // Before the end: nothing is missed where there is none.
     cr_assert_eq(poses_read("a.path", &KIND, &found), 0);
-    cr_assert_eq(found.n, written.n);
-    cr_expect_arr_eq(found.poses, written.poses, (size_t)found.n * sizeof *found.poses);
-    poses_free(&written);
+    cr_assert_eq(found.n, N_POSES);
+    cr_expect_arr_eq(found.poses, written, sizeof written);
+    cr_expect_eq(poses_record_close(&record), 0);
     poses_free(&found);
+}
+
+Test(poses, a_full_disk_is_told_with_the_first_pose_that_is_lost)
+{
+    PosesRecord record = {.file = fopen("/dev/full", "w"), .path = "a.path"};
+    capture_begin(STDERR_FILENO);
+    const int result = poses_record_add(&record, &KIND, &(Pose){{1, 2, 3}});
+    expect_one_message(capture_end(STDERR_FILENO),
+                       "a.path: cannot be written: No space left on device\n");
+    cr_expect_eq(result, -1);
+}
+
+Test(poses, no_more_are_read_than_fit)
+{
+    Poses found;
+    FILE *file = fopen("a.path", "w");
+    for (int i = 0; i <= POSES_MAX; i++) {
+        fputs("1 2 3\n", file);
+    }
+    fclose(file);
+    capture_begin(STDERR_FILENO);
+    cr_expect_eq(poses_read("a.path", &KIND, &found), -1);
+    expect_one_message(capture_end(STDERR_FILENO),
+                       "a.path:1000001: found one more pose, expected at most 1000000\n");
 }
 
 Test(poses, comments_and_empty_lines_are_none)
