@@ -3,10 +3,13 @@
 // Read next: molecule_xyz.c.
 #include "molecule.h"
 
+#include "message.h"
 #include "number.h"
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 // How far from the origin an atom may be, Angstrom: a tenth of a millimetre. Beyond, float leaves
@@ -203,24 +206,58 @@ static void view_place(Molecule *molecule)
 
 // ---- The end ------------------------------------------------------------------------------------
 
+void molecule_leave_out(Molecule *molecule, const char *rest, const char *of,
+                        int (*is_counted)(const char *line))
+{
+    char *line = NULL;
+    size_t size = 0;
+    while (getline(&line, &size, molecule->lines.file) >= 0) {
+        molecule->n_rest += is_counted(line);
+    }
+    free(line);
+    molecule->rest = rest;
+    molecule->of = of;
+}
+
+enum { WARNING_SIZE = MOLECULE_MAX_NAMES * (LINE_QUOTE_SIZE + 2) + 512 };
+
+__attribute__((format(printf, 2, 3))) static void warning_add(char *warning, const char *format,
+                                                              ...)
+{
+    size_t length = strlen(warning);
+    if (length > 0) {
+        length += (size_t)snprintf(warning + length, WARNING_SIZE - length, "; ");
+    }
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(warning + length, WARNING_SIZE - length, format, arguments);
+    va_end(arguments);
+}
+
 static void warn(const Molecule *molecule)
 {
     char names[MOLECULE_MAX_NAMES * (LINE_QUOTE_SIZE + 2)] = "";
-    char warning[sizeof names + 192] = "";
+    char warning[WARNING_SIZE] = "";
     for (int i = 0; i < molecule->n_names; i++) {
         strcat(names, i == 0 ? "" : ", ");
         strcat(names, molecule->names[i]);
     }
     if (molecule->n_unknown > 0) {
-        snprintf(warning, sizeof warning, "drew %d atom%s of unknown elements in pink: %s%s",
-                 molecule->n_unknown, molecule->n_unknown == 1 ? "" : "s", names,
-                 molecule->has_more_names ? " and others" : "");
+        warning_add(warning, "drew %d atom%s of unknown elements in pink: %s%s",
+                    molecule->n_unknown, plural((unsigned)molecule->n_unknown), names,
+                    molecule->has_more_names ? " and others" : "");
+    }
+    if (molecule->n_elsewhere > 0) {
+        warning_add(warning, "left out %" PRId64 " alternate location%s of atoms",
+                    molecule->n_elsewhere, plural((unsigned)molecule->n_elsewhere));
+    }
+    if (molecule->n_rest > 0) {
+        warning_add(warning, "left out %" PRId64 " %s%s %s", molecule->n_rest, molecule->rest,
+                    plural((unsigned)molecule->n_rest), molecule->of);
     }
     if (molecule->cut_line > 0) {
-        const size_t length = strlen(warning);
-        snprintf(warning + length, sizeof warning - length,
-                 "%sthe file ends too soon, within the name of a record in line %" PRId64,
-                 length > 0 ? "; " : "", molecule->cut_line);
+        warning_add(warning, "the file ends too soon, within the name of a record in line %" PRId64,
+                    molecule->cut_line);
     }
     line_warn(&molecule->lines, warning);
 }

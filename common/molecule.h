@@ -20,7 +20,10 @@ typedef struct Molecule {
     char names[MOLECULE_MAX_NAMES][LINE_QUOTE_SIZE];  // the first names of theirs, in quotes
     int n_names;
     int has_more_names;
-    int64_t cut_line;  // in which the file ends within the name of a record; 0: in none
+    int64_t n_elsewhere;    // atoms that are left out: these are drawn at another location
+    int64_t n_rest;         // what is left out behind the first model or frame
+    const char *rest, *of;  // what these are: "atom", "of other models"
+    int64_t cut_line;       // in which the file ends within the name of a record; 0: in none
 } Molecule;
 
 // Get ready to read a file (see line_reader_begin()).
@@ -36,9 +39,15 @@ float molecule_read_coordinate(Molecule *molecule, const char *axis, const char 
 //   name      what the file calls the element
 void molecule_add_atom(Molecule *molecule, Vec3 point, const Element *element, const char *name);
 
+// Leave out the rest of the file, and count its lines for the warning.
+//   rest, of     what is left out: "atom", "of other models"
+//   is_counted   is this line one?
+void molecule_leave_out(Molecule *molecule, const char *rest, const char *of,
+                        int (*is_counted)(const char *line));
+
 // Place the view so that all atoms are seen in a picture that is at least as wide as high, light
 // the scene, and hand it over; a molecule without atoms is a fault. Prints one warning when
-// elements were unknown or the file ends too soon. Returns 0, or -1 after one message on stderr;
+// elements were unknown, atoms left out, or the file ends too soon. Returns 0, or -1 after one message on stderr;
 // everything is then released.
 int molecule_finish(Molecule *molecule, Scene3D *scene);
 

@@ -10,6 +10,7 @@
 
 #include "number.h"
 
+#include <ctype.h>
 #include <search.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,9 +18,9 @@
 // The widest field that is read, and its NUL.
 #define FIELD_SIZE 9
 
-// Where an atom's name begins, and where its z ends.
-#define NAME_COLUMN 13
-#define LAST_COLUMN 54
+#define LAST_COLUMN 54  // where an atom's z ends
+
+static const char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 
 // An atom that was taken from a residue.
 typedef struct Taken {
@@ -55,24 +56,79 @@ static const char *field_read(const PdbReader *reader, int first, int last, char
     return field;
 }
 
-// The element's symbol, as the columns for it have it. Files from before 1996 have something else
-// there, no letters; the atom's name must do then. In it, a symbol of one letter stands in column
-// 14: " CA " is an alpha carbon, "CA  " is calcium. But not so long names of hydrogens, "HG11" is
-// no mercury; and polymers, the ATOM records, consist of elements with one letter, whatever its
-// column.
+// Some programs write a name of four signs a column too far to the right, as " HG11": its last sign
+// then stands where an alternate location has its name. Such a location is a letter mostly, and the
+// atom is not always there: its occupancy is less than 1.
+static int is_name_shifted(const PdbReader *reader)
+{
+    char name[FIELD_SIZE], occupancy[FIELD_SIZE];
+    const int length = (int)strlen(field_read(reader, 14, 17, name));
+    float share = 0;
+    number_read_float(field_read(reader, 55, 60, occupancy), &share);
+    const int is_whole = field_read(reader, 13, 13, occupancy)[0] == '\0' && length == 4 &&
+                         strchr(name, ' ') == NULL;
+    return is_whole && (share >= 1 || (share <= 0 && strchr(LETTERS, name[3]) == NULL));
+}
+
+// An atom's name, and the column in which it begins.
+static int name_read(const PdbReader *reader, char *name)
+{
+    const int shift = is_name_shifted(reader);
+    field_read(reader, 13 + shift, 16 + shift, name);
+    char first[FIELD_SIZE];
+    return !shift && field_read(reader, 13, 13, first)[0] == '\0' ? 14 : 13;
+}
+
+// Is an atom all of its residue? The residue is then named after it: "CA", "ZN2".
+static int is_ion(const char *name, const char *residue)
+{
+    const size_t length = strlen(name);
+    return length >= 2 && strncasecmp(name, residue, length) == 0 &&
+           strpbrk(residue + length, LETTERS) == NULL;
+}
+
+// An alpha carbon is CA; not calcium, wherever in its columns the name stands. So are the others on
+// the way along a chain, the nitrogens of a haem, and the phosphorus of ATP.
+static int is_in_chain(const char *letters)
+{
+    static const char *const NAMES[] = {"CA", "CD", "CE", "NB", "ND", "NE", "PA", "PB"};
+    for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++) {
+        if (strncasecmp(letters, NAMES[i], 2) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// "HG11", "HO5'" and "HE1" are no mercury, holmium and helium.
+static int is_hydrogen(const char *name, const char *letters)
+{
+    return (letters[0] == 'H' || letters[0] == 'D') &&
+           (strlen(name) == 4 ||
+            (strspn(letters, LETTERS) == 2 && isdigit((unsigned char)letters[2])));
+}
+
+// The element's symbol, as the columns for it have it. Files from before 1996, and of some
+// programs, have something else there, no letters; the atom's name must do then. In it, a symbol of
+// one letter stands in column 14, one of two in 13: " CB " is carbon, "FE  " iron. But not so the
+// names above; and polymers, the ATOM records, consist of elements with one letter, whatever its
+// column. A small second letter tells by itself.
 static const char *symbol_read(const PdbReader *reader, int is_polymer, char *symbol)
 {
-    static const char LETTERS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
     field_read(reader, 77, 78, symbol);
     if (strspn(symbol, LETTERS) > 0) {
         return symbol;
     }
-    char name[FIELD_SIZE];
-    field_read(reader, 13, 16, name);
-    const int is_long_hydrogen = strlen(name) == 4 && (name[0] == 'H' || name[0] == 'D');
-    field_read(reader, 13, 14, name);
-    snprintf(symbol, FIELD_SIZE, "%s", name + strcspn(name, LETTERS));
-    if (is_polymer || is_long_hydrogen) {
+    char name[FIELD_SIZE], residue[FIELD_SIZE];
+    const int column = name_read(reader, name);
+    const char *letters = name + strcspn(name, LETTERS);
+    const int has_two =
+        is_ion(letters, field_read(reader, 18, 20, residue)) ||
+        (!is_in_chain(letters) && ((letters[0] != '\0' && islower((unsigned char)letters[1])) ||
+                                   (column == 13 && !is_polymer && !is_hydrogen(name, letters))));
+    snprintf(symbol, FIELD_SIZE, "%.2s", letters);
+    if (!has_two || (element_by_symbol(symbol) == NULL &&
+                     element_by_symbol((const char[]){symbol[0], 0}) != NULL)) {
         symbol[1] = '\0';
     }
     return symbol;
@@ -120,16 +176,17 @@ static void residue_begin(PdbReader *reader, const char *residue)
 static int is_location_taken(PdbReader *reader)
 {
     char location[FIELD_SIZE], residue[FIELD_SIZE];
+    const int shift = is_name_shifted(reader);
     Taken atom = {.name = ""};
-    field_read(reader, 17, 17, location);
+    field_read(reader, 17, shift ? 16 : 17, location);
     field_read(reader, 22, 27, residue);
     if (strcmp(residue, reader->residue) != 0) {
         residue_begin(reader, residue);
     }
     atom.location = location[0];
-    // With its blanks: " CA " is an alpha carbon, "CA  " is calcium.
-    if (strlen(reader->molecule.lines.text) >= NAME_COLUMN) {
-        snprintf(atom.name, sizeof atom.name, "%s", reader->molecule.lines.text + NAME_COLUMN - 1);
+    // With its blanks: " CA " is an alpha carbon, "CA  " may be calcium.
+    if (strlen(reader->molecule.lines.text) > 13) {
+        snprintf(atom.name, sizeof atom.name, "%s", reader->molecule.lines.text + 12 + shift);
     }
     if (location[0] != '\0' && reader->location != '\0' && reader->location != location[0]) {
         return 0;
@@ -158,6 +215,7 @@ static void atom_read(PdbReader *reader, int is_polymer)
         return;
     }
     if (!is_location_taken(reader)) {
+        molecule->n_elsewhere++;
         return;
     }
     // Without a blank between them, shifted columns would give other numbers, and no fault.
@@ -173,6 +231,11 @@ static void atom_read(PdbReader *reader, int is_polymer)
     point.z = molecule_read_coordinate(molecule, "z", field_read(reader, 47, LAST_COLUMN, field));
     const char *symbol = symbol_read(reader, is_polymer, field);
     molecule_add_atom(molecule, point, element_by_symbol(symbol), symbol);
+}
+
+static int is_atom(const char *line)
+{
+    return strncmp(line, "ATOM  ", 6) == 0 || strncmp(line, "HETATM", 6) == 0;
 }
 
 // Is a line the beginning of a record's name, and not all of it?
@@ -216,6 +279,7 @@ int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene)
         at_end = strcmp(record, "ENDMDL") == 0 || strcmp(record, "END") == 0;
         if (at_end) {
             lines->unended_line = 0;  // whatever follows is not missed
+            molecule_leave_out(&reader.molecule, "atom", "of other models", is_atom);
         }
     }
     tdestroy(reader.taken, free);

@@ -112,6 +112,12 @@ static void atom_read(Molecule *molecule, const Columns *columns)
     molecule_add_atom(molecule, point, element_read(element), element);
 }
 
+static int is_line(const char *line)
+{
+    (void)line;
+    return 1;
+}
+
 // After the last atom comes nothing, or the next frame, which begins with a number of its own. An
 // atom more than the first line says is a mistake somewhere.
 static void end_check(Molecule *molecule)
@@ -121,6 +127,8 @@ static void end_check(Molecule *molecule)
     while (line_read(&molecule->lines)) {
         const int n_words = line_split(molecule->lines.text, &word, 1);
         if (n_words == 1 && number_read_integer(word, 0, INT64_MAX, &number) == 0) {
+            molecule->n_rest = 1;  // this one
+            molecule_leave_out(molecule, "line", "of other frames", is_line);
             return;
         }
         if (n_words > 0) {

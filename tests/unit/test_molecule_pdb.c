@@ -4,15 +4,21 @@
 TestSuite(molecule_pdb, .init = folder_enter, .fini = folder_leave);
 
 // One record with parts of it changed: the name, the location, the residue, the element.
-static const char *record(const char *kind, const char *name, char location, int residue,
-                          const char *element)
+static const char *record_of(const char *kind, const char *name, char location, const char *residue,
+                             int number, const char *element)
 {
     static char line[128];
     snprintf(line, sizeof line,
-             "%-6s    1 %-4s%cLIG A%4d      -1.000   2.500   3.000  1.00  0.00  "
+             "%-6s    1 %-4s%c%-3s A%4d      -1.000   2.500   3.000  1.00  0.00  "
              "        %2s\n",
-             kind, name, location, residue, element);
+             kind, name, location, residue, number, element);
     return line;
+}
+
+static const char *record(const char *kind, const char *name, char location, int number,
+                          const char *element)
+{
+    return record_of(kind, name, location, "LIG", number, element);
 }
 
 Test(molecule_pdb, pdb_is_read)
@@ -20,8 +26,6 @@ Test(molecule_pdb, pdb_is_read)
     static const char *const TEXTS[] = {
         CA_ATOM,
         "HEADER    WHATEVER\nREMARK 1 \xC3\xA4\n" CA_ATOM "TER\nEND\n",
-        "MODEL        1\n" CA_ATOM "ENDMDL\nMODEL        2\n" CA_ATOM "ENDMDL\nEND\n",
-        CA_ATOM "END\n" CA_ATOM,
         "ATOM      2  CA  ALA A   1      -1.000   2.500   3.000\n",  // without what follows
         "ATOM      2  CA  ALA A   1      -1.000   2.500   3.000\r\n",
         "ATOM      2  CA  ALA A   1      -1.000   2.500   3.0\n",
@@ -35,6 +39,24 @@ Test(molecule_pdb, pdb_is_read)
         Scene3D scene = read_good(scene3d_read_pdb, TEXTS[i], "");
         cr_assert_eq(scene.n_spheres, 1, "case %zu", i);
         expect_atom(&scene, 0, -1, 2.5f, 3, "C");
+        scene3d_free(&scene);
+    }
+}
+
+Test(molecule_pdb, atoms_behind_the_first_model_are_counted)
+{
+    static const struct {
+        const char *text, *warning;
+    } CASES[] = {
+        {"MODEL        1\n" CA_ATOM "ENDMDL\nMODEL        2\n" CA_ATOM "ENDMDL\nEND\n",
+         "molecule: warning: left out 1 atom of other models\n"},
+        {CA_ATOM "END\n" CA_ATOM CA_ATOM "END",
+         "molecule: warning: left out 2 atoms of other models\n"},
+        {CA_ATOM "END\nCONECT\nATOMS", ""},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        Scene3D scene = read_good(scene3d_read_pdb, CASES[i].text, CASES[i].warning);
+        cr_expect_eq(scene.n_spheres, 1);
         scene3d_free(&scene);
     }
 }
@@ -55,7 +77,10 @@ Test(molecule_pdb, pdb_elements)
         const char *expected;
     } CASES[] = {
         {"ATOM", " CA ", "C", "C"},     {"HETATM", "CA  ", "CA", "Ca"}, {"ATOM", " CA ", "", "C"},
-        {"HETATM", "CA  ", "", "Ca"},   {"ATOM", "CA  ", "", "C"},      {"HETATM", " CA ", "", "C"},
+        {"HETATM", "CA  ", "", "C"},    {"ATOM", "CA  ", "", "C"},      {"HETATM", " CA ", "", "C"},
+        {"HETATM", "CE  ", "", "C"},    {"HETATM", "CD1 ", "", "C"},    {"HETATM", "NE2 ", "", "N"},
+        {"HETATM", "SE  ", "", "Se"},   {"HETATM", "OXT ", "", "O"},    {"HETATM", "HE1 ", "", "H"},
+        {"HETATM", " Br1", "", "Br"},   {"ATOM", " Cl ", "", "Cl"},     {"ATOM", " Cb ", "", "C"},
         {"HETATM", "FE  ", "", "Fe"},   {"HETATM", "FE1 ", "", "Fe"},   {"ATOM", "HG11", "", "H"},
         {"HETATM", "HG11", "", "H"},    {"HETATM", "HG  ", "", "Hg"},   {"ATOM", "1HB ", "", "H"},
         {"HETATM", "1H  ", "", "H"},    {"HETATM", "HO5'", "", "H"},    {"HETATM", "C12A", "", "C"},
@@ -75,6 +100,69 @@ Test(molecule_pdb, pdb_elements)
     scene3d_free(&scene);
 }
 
+// Where no column says an element, a residue may: an ion is all of its own.
+Test(molecule_pdb, an_ion_is_known_by_its_residue)
+{
+    static const struct {
+        const char *kind, *name, *residue;
+        const char *expected;
+    } CASES[] = {
+        {"HETATM", "CA  ", "CA", "Ca"},  {"ATOM", "CA  ", "CA", "Ca"},
+        {"HETATM", " CA ", "CA", "Ca"},  {"HETATM", "CA  ", "CA2", "Ca"},
+        {"HETATM", "CA  ", "CAS", "C"},  {"HETATM", "CE  ", "MSE", "C"},
+        {"HETATM", "CE  ", "CE", "Ce"},  {"ATOM", " ZN ", "ZN", "Zn"},
+        {"ATOM", "CLA ", "CLA", "Cl"},   {"ATOM", " C  ", "C", "C"},
+        {"HETATM", "FE  ", "HEM", "Fe"}, {"HETATM", "ND  ", "HEM", "N"},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        Scene3D scene =
+            read_good(scene3d_read_pdb,
+                      record_of(CASES[i].kind, CASES[i].name, ' ', CASES[i].residue, 1, ""), "");
+        expect_atom(&scene, 0, -1, 2.5f, 3, CASES[i].expected);
+        scene3d_free(&scene);
+    }
+}
+
+// Names of four signs a column too far to the right: the last sign is no alternate location.
+Test(molecule_pdb, shifted_names_of_four_signs_lose_no_atom)
+{
+    static const struct {
+        const char *names[4];  // columns 13 to 16; 17 counts from '1', or from 'A'
+        char first;
+        const char *occupancy;
+        int n_expected;
+        const char *expected;
+    } CASES[] = {
+        {{" Br1", " Br1", " Br1", " Br1"}, '1', "  1.00", 4, "Br"},
+        {{" HG1", " HG1", " HG1", " HG2"}, '1', "  1.00", 4, "H"},
+        {{" HG1", " HG1", " HG1", " HG2"}, '1', "", 4, "H"},
+        {{" HG1", " HG1", " HG1", " HG2"}, '1', "  0.00", 4, "H"},
+        {{" C10", " C10", " C10", " C11"}, 'A', "  1.00", 4, "C"},
+        {{" CL1", " CL1", " CL1", " CL1"}, '0', "  1.00", 4, "Cl"},
+        {{" CG1", " CG1", " CG1", " CG1"}, '1', "  0.25", 1, "C"},
+        {{" CG1", " CG1", " CG1", " CG1"}, 'A', "", 1, "C"},
+        {{" CA ", " CA ", " CA ", " CA "}, '1', "  1.00", 1, "C"},
+        {{"HG11", "HG11", "HG11", "HG11"}, 'A', "  1.00", 1, "H"},
+    };
+    for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
+        char text[512] = "";
+        for (int atom = 0; atom < 4; atom++) {
+            char line[128];
+            snprintf(line, sizeof line, "HETATM    1 %s%cLIG A   1      -1.000   2.500   3.000%s\n",
+                     CASES[i].names[atom], CASES[i].first + atom, CASES[i].occupancy);
+            strcat(text, line);
+        }
+        Scene3D scene =
+            read_good(scene3d_read_pdb, text,
+                      CASES[i].n_expected == 4
+                          ? ""
+                          : "molecule: warning: left out 3 alternate locations of atoms\n");
+        cr_expect_eq(scene.n_spheres, CASES[i].n_expected, "case %zu", i);
+        expect_atom(&scene, 0, -1, 2.5f, 3, CASES[i].expected);
+        scene3d_free(&scene);
+    }
+}
+
 Test(molecule_pdb, pdb_takes_one_of_the_alternate_locations)
 {
     // Which atoms of two residues are drawn: atoms have a letter as their name and one as their
@@ -90,17 +178,25 @@ Test(molecule_pdb, pdb_takes_one_of_the_alternate_locations)
     };
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
         char text[2048] = "";
-        int residue = 0;
+        int residue = 0, n_atoms = 0;
         for (const char *c = CASES[i].atoms; *c != '\0'; c++) {
             if (*c >= '1' && *c <= '9') {
                 residue = *c - '0';
             } else {
                 const char name[] = {' ', *c, ' ', ' ', '\0'};
                 c++;
+                n_atoms++;
                 strcat(text, record("ATOM", name, *c == '.' ? ' ' : *c, residue, "C"));
             }
         }
-        Scene3D scene = read_good(scene3d_read_pdb, text, "");
+        const int n_left_out = n_atoms - CASES[i].n_expected;
+        char warning[96] = "";
+        if (n_left_out > 0) {
+            snprintf(warning, sizeof warning,
+                     "molecule: warning: left out %d alternate location%s of atoms\n", n_left_out,
+                     n_left_out == 1 ? "" : "s");
+        }
+        Scene3D scene = read_good(scene3d_read_pdb, text, warning);
         cr_expect_eq(scene.n_spheres, CASES[i].n_expected, "%s: %d", CASES[i].atoms,
                      scene.n_spheres);
         scene3d_free(&scene);

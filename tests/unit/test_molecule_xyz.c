@@ -13,7 +13,6 @@ Test(molecule_xyz, xyz_is_read)
         "\xEF\xBB\xBF 2 \n\no 0 0 0.5\nh 1 -2.5 3\n\n \n",
         "2\n\n8\t0\t0\t0.5\n 1   1 -2.5 3\n",
         "2\n\nO1 0 0 0.5 -0.8 charge\nH2 1 -25e-1 3. 0.4 # 1 2 3 4 5 6 7 8 9\n",
-        "2\n\nO 0 0 0.5\nH 1 -2.5 3\n2\nthe next frame\nwhatever",
     };
     for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
         Scene3D scene = read_good(scene3d_read_xyz, TEXTS[i], "");
@@ -22,6 +21,15 @@ Test(molecule_xyz, xyz_is_read)
         expect_atom(&scene, 1, 1, -2.5f, 3, "H");
         scene3d_free(&scene);
     }
+}
+
+Test(molecule_xyz, frames_behind_the_first_are_counted)
+{
+    Scene3D scene =
+        read_good(scene3d_read_xyz, "2\n\nO 0 0 0.5\nH 1 -2.5 3\n2\nthe next frame\nwhatever",
+                  "molecule: warning: left out 3 lines of other frames\n");
+    cr_expect_eq(scene.n_spheres, 2);
+    scene3d_free(&scene);
 }
 
 // Extended XYZ: the comment says which columns there are. The last atom is always the same.
