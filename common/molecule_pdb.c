@@ -122,10 +122,11 @@ static const char *symbol_read(const PdbReader *reader, int is_polymer, char *sy
     char name[FIELD_SIZE], residue[FIELD_SIZE];
     const int column = name_read(reader, name);
     const char *letters = name + strcspn(name, LETTERS);
+    const int is_first = column == 13 && letters == name;
     const int has_two =
         is_ion(letters, field_read(reader, 18, 20, residue)) ||
         (!is_in_chain(letters) && ((letters[0] != '\0' && islower((unsigned char)letters[1])) ||
-                                   (column == 13 && !is_polymer && !is_hydrogen(name, letters))));
+                                   (is_first && !is_polymer && !is_hydrogen(name, letters))));
     snprintf(symbol, FIELD_SIZE, "%.2s", letters);
     if (!has_two || (element_by_symbol(symbol) == NULL &&
                      element_by_symbol((const char[]){symbol[0], 0}) != NULL)) {

@@ -76,16 +76,17 @@ Test(molecule_pdb, pdb_elements)
         const char *kind, *name, *element;
         const char *expected;
     } CASES[] = {
-        {"ATOM", " CA ", "C", "C"},     {"HETATM", "CA  ", "CA", "Ca"}, {"ATOM", " CA ", "", "C"},
-        {"HETATM", "CA  ", "", "C"},    {"ATOM", "CA  ", "", "C"},      {"HETATM", " CA ", "", "C"},
-        {"HETATM", "CE  ", "", "C"},    {"HETATM", "CD1 ", "", "C"},    {"HETATM", "NE2 ", "", "N"},
-        {"HETATM", "SE  ", "", "Se"},   {"HETATM", "OXT ", "", "O"},    {"HETATM", "HE1 ", "", "H"},
-        {"HETATM", " Br1", "", "Br"},   {"ATOM", " Cl ", "", "Cl"},     {"ATOM", " Cb ", "", "C"},
-        {"HETATM", "FE  ", "", "Fe"},   {"HETATM", "FE1 ", "", "Fe"},   {"ATOM", "HG11", "", "H"},
-        {"HETATM", "HG11", "", "H"},    {"HETATM", "HG  ", "", "Hg"},   {"ATOM", "1HB ", "", "H"},
-        {"HETATM", "1H  ", "", "H"},    {"HETATM", "HO5'", "", "H"},    {"HETATM", "C12A", "", "C"},
-        {"HETATM", "CL12", "", "Cl"},   {"ATOM", " N  ", "N", "N"},     {"ATOM", " D  ", "D", "H"},
-        {"HETATM", " X  ", "zn", "Zn"}, {"HETATM", " O  ", "O1", "O"},  {"ATOM", " O  ", "12", "O"},
+        {"ATOM", " CA ", "C", "C"},   {"HETATM", "CA  ", "CA", "Ca"}, {"ATOM", " CA ", "", "C"},
+        {"HETATM", "CA  ", "", "C"},  {"ATOM", "CA  ", "", "C"},      {"HETATM", " CA ", "", "C"},
+        {"HETATM", "CE  ", "", "C"},  {"HETATM", "CD1 ", "", "C"},    {"HETATM", "NE2 ", "", "N"},
+        {"HETATM", "SE  ", "", "Se"}, {"HETATM", "OXT ", "", "O"},    {"HETATM", "HE1 ", "", "H"},
+        {"HETATM", "1HG ", "", "H"},  {"HETATM", " Br1", "", "Br"},   {"ATOM", " Cl ", "", "Cl"},
+        {"ATOM", " Cb ", "", "C"},    {"HETATM", "FE  ", "", "Fe"},   {"HETATM", "FE1 ", "", "Fe"},
+        {"ATOM", "HG11", "", "H"},    {"HETATM", "HG11", "", "H"},    {"HETATM", "HG  ", "", "Hg"},
+        {"ATOM", "1HB ", "", "H"},    {"HETATM", "1H  ", "", "H"},    {"HETATM", "HO5'", "", "H"},
+        {"HETATM", "C12A", "", "C"},  {"HETATM", "CL12", "", "Cl"},   {"ATOM", " N  ", "N", "N"},
+        {"ATOM", " D  ", "D", "H"},   {"HETATM", " X  ", "zn", "Zn"}, {"HETATM", " O  ", "O1", "O"},
+        {"ATOM", " O  ", "12", "O"},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
         Scene3D scene = read_good(
