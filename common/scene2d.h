@@ -41,6 +41,9 @@ typedef struct Scene2D {
 // stays below 2^24, where float is exact; a larger one would round, and pictures could differ.
 #define SCENE2D_MAX_RADIUS 255
 
+// Circles in files have no larger coordinate and radius: kernels square distances in float.
+#define SCENE2D_LARGEST 1e18
+
 // Every name of a scene but the edge cases', for messages.
 #define SCENE2D_NAMES "FILE.csv, random[:n=N,seed=S,min=R,max=R]"
 

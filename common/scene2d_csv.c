@@ -8,21 +8,24 @@
 #include "scene2d.h"
 
 #include <csv.h>
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
+#define LARGEST NUMBER_TEXT(SCENE2D_LARGEST)
+
 // What a field may hold.
-typedef enum FieldRange { ANY_FINITE, NOT_NEGATIVE, COLOUR } FieldRange;
+typedef enum FieldRange { ANY_FINITE, PLACE, RADIUS, COLOUR } FieldRange;
 
 static const struct Column {
     const char *name;
     size_t offset;  // of the number in a Circle
     FieldRange range;
 } COLUMNS[] = {
-    {"x", offsetof(Circle, x), ANY_FINITE},
-    {"y", offsetof(Circle, y), ANY_FINITE},
-    {"radius", offsetof(Circle, radius), NOT_NEGATIVE},
+    {"x", offsetof(Circle, x), PLACE},
+    {"y", offsetof(Circle, y), PLACE},
+    {"radius", offsetof(Circle, radius), RADIUS},
     {"depth", offsetof(Circle, depth), ANY_FINITE},
     {"r", offsetof(Circle, r), COLOUR},
     {"g", offsetof(Circle, g), COLOUR},
@@ -72,8 +75,10 @@ static void number_field_read(CsvReader *reader, const char *text)
     float value = 0;
     if (number_read_float(text, &value) != 0) {
         expected = "a finite number";
-    } else if (column->range == NOT_NEGATIVE && value < 0) {
-        expected = "a number of at least 0";
+    } else if (column->range == PLACE && fabsf(value) > (float)SCENE2D_LARGEST) {
+        expected = "a number from -" LARGEST " to " LARGEST;
+    } else if (column->range == RADIUS && (value < 0 || value > (float)SCENE2D_LARGEST)) {
+        expected = "a number from 0 to " LARGEST;
     } else if (column->range == COLOUR && (value < 0 || value > 1)) {
         expected = "a number from 0 to 1";
     }

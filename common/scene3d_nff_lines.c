@@ -4,18 +4,33 @@
 #include "scene3d_nff_lines.h"
 
 #include "number.h"
+#include "scene3d.h"
 
+#include <math.h>
 #include <string.h>
 
-typedef enum Range { ANY_FINITE, NOT_ZERO, NOT_NEGATIVE, COLOUR, OPENING, PIXELS, COUNT } Range;
+typedef enum Range {
+    ANY_FINITE,
+    PLACE,
+    RADIUS,
+    NOT_NEGATIVE,
+    COLOUR,
+    OPENING,
+    PIXELS,
+    COUNT
+} Range;
 
 // The larger of the two keeps to what a float counts exactly, 2^24.
 #define LARGEST_SIDE 1000000
 #define LARGEST_COUNT 10000000
 
+#define LARGEST NUMBER_TEXT(SCENE3D_LARGEST)
+#define SMALLEST NUMBER_TEXT(SCENE3D_SMALLEST)
+
 static const char *const EXPECTED[] = {
     [ANY_FINITE] = "a finite number",
-    [NOT_ZERO] = "a finite number other than 0 in float",
+    [PLACE] = "a number from -" LARGEST " to " LARGEST,
+    [RADIUS] = "a number from " SMALLEST " to " LARGEST ", or its negative",
     [NOT_NEGATIVE] = "a finite number of at least 0",
     [COLOUR] = "a number from 0 to 1",
     [OPENING] = "an angle between 0 and 180 degrees",
@@ -24,7 +39,7 @@ static const char *const EXPECTED[] = {
 };
 
 // clang-format off: a row a line
-#define XYZ {"x", ANY_FINITE}, {"y", ANY_FINITE}, {"z", ANY_FINITE}
+#define XYZ(range) {"x", range}, {"y", range}, {"z", range}
 #define RGB(range) {"r", range}, {"g", range}, {"b", range}
 
 static const struct LineForm {
@@ -37,20 +52,20 @@ static const struct LineForm {
 } FORMS[] = {
     [BACKGROUND] = {"b", 3, {RGB(COLOUR)}},
     [VIEW] = {"v", 0, {{NULL, ANY_FINITE}}},
-    [FROM] = {"from", 3, {XYZ}},
-    [AT] = {"at", 3, {XYZ}},
-    [UP] = {"up", 3, {XYZ}},
+    [FROM] = {"from", 3, {XYZ(PLACE)}},
+    [AT] = {"at", 3, {XYZ(ANY_FINITE)}},
+    [UP] = {"up", 3, {XYZ(ANY_FINITE)}},
     [ANGLE] = {"angle", 1, {{"degrees", OPENING}}},
     [HITHER] = {"hither", 1, {{"distance", NOT_NEGATIVE}}},
     [RESOLUTION] = {"resolution", 2, {{"width", PIXELS}, {"height", PIXELS}}},
     // Some scenes have lights brighter than 1.
-    [LIGHT] = {"l", 3, {XYZ, RGB(NOT_NEGATIVE)}},
+    [LIGHT] = {"l", 3, {XYZ(ANY_FINITE), RGB(NOT_NEGATIVE)}},
     // Kd, Ks and T are mostly at most 1, which Haines does not demand. Opaque things may have
     // refraction 0.
     [MATERIAL] = {"f", 8, {RGB(COLOUR), {"Kd", NOT_NEGATIVE}, {"Ks", NOT_NEGATIVE},
                            {"Shine", NOT_NEGATIVE}, {"T", NOT_NEGATIVE},
                            {"refraction", NOT_NEGATIVE}}},
-    [SPHERE] = {"s", 4, {XYZ, {"radius", NOT_ZERO}}},
+    [SPHERE] = {"s", 4, {XYZ(PLACE), {"radius", RADIUS}}},
     [CONE] = {"c", 0, {{NULL, ANY_FINITE}}},
     [POLYGON] = {"p", 0, {{NULL, ANY_FINITE}}},
     [PATCH] = {"pp", 0, {{NULL, ANY_FINITE}}},
@@ -92,8 +107,10 @@ static const char *form_describe(const struct LineForm *form, char *text)
 static int is_in_range(Range range, float value)
 {
     switch (range) {
-    case NOT_ZERO:
-        return value != 0;
+    case PLACE:
+        return fabsf(value) <= (float)SCENE3D_LARGEST;
+    case RADIUS:
+        return fabsf(value) >= (float)SCENE3D_SMALLEST && fabsf(value) <= (float)SCENE3D_LARGEST;
     case NOT_NEGATIVE:
         return value >= 0;
     case COLOUR:

@@ -111,7 +111,10 @@ static const struct {
     {TEXT(HEADER "inf,1,1,1,1,1,1\n"), "x: found \"inf\""},
     {TEXT(HEADER "1,1,1,-Infinity,1,1,1\n"), "depth: found"},
     {TEXT(HEADER "1e999,1,1,1,1,1,1\n"), "x: found \"1e999\", expected a finite number"},
-    {TEXT(HEADER "1,1,-0.5,1,1,1,1\n"), "radius: found \"-0.5\", expected a number of at least 0"},
+    {TEXT(HEADER "1,1,-0.5,1,1,1,1\n"), "radius: found \"-0.5\", expected a number from 0 to 1e18"},
+    {TEXT(HEADER "1,1,2e18,1,1,1,1\n"), "radius: found \"2e18\", expected a number from 0 to 1e18"},
+    {TEXT(HEADER "1,-2e18,1,1,1,1,1\n"),
+     "y: found \"-2e18\", expected a number from -1e18 to 1e18"},
     {TEXT(HEADER "1,1,1,1,1.01,1,1\n"), "r: found \"1.01\", expected a number from 0 to 1"},
     {TEXT(HEADER "1,1,1,1,1,1,-1\n"), "b: found \"-1\""},
     {TEXT(HEADER "1,1,1,1,1,1,\0011\n"), "b: found \"?1\""},
@@ -202,8 +205,8 @@ static void expect_to_read_back(const Circle *circles, int n_circles)
 Test(csv, nine_digits_read_back_to_the_same_floats)
 {
     const Circle circles[] = {
-        {1.0f / 3, -1e-30f, 3.4e38f, 16777217, 0.1f, 1.0f / 255, 1, 0.5f},
-        {123456.789f, 0, 0, -1e30f, 0, 0.99999994f, 1e-45f, 0},
+        {1.0f / 3, -1e-30f, 1e18f, 3.4e38f, 0.1f, 1.0f / 255, 1, 0.5f},
+        {123456.789f, -1e18f, 16777217, -1e30f, 0, 0.99999994f, 1e-45f, 0},
     };
     expect_to_read_back(circles, 2);
 }
@@ -216,9 +219,9 @@ Test(csv, every_float_reads_back)
     const int n_circles = (int)(sizeof circles / sizeof circles[0]);
     for (int i = 0; i < n_circles; i++) {
         uint32_t bits = (uint32_t)random_bits(&random);
-        memcpy(&circles[i].x, &bits, sizeof bits);
-        if (!isfinite(circles[i].x)) {
-            circles[i].x = 0;
+        memcpy(&circles[i].depth, &bits, sizeof bits);
+        if (!isfinite(circles[i].depth)) {
+            circles[i].depth = 0;
         }
     }
     expect_to_read_back(circles, n_circles);
@@ -247,9 +250,9 @@ Test(csv, a_decimal_becomes_the_nearest_float)
     for (size_t i = 0; i < sizeof DECIMALS / sizeof DECIMALS[0]; i++) {
         char text[128];
         Scene2D scene;
-        snprintf(text, sizeof text, HEADER "%s,0,0,0,0,0,0\n", DECIMALS[i].text);
+        snprintf(text, sizeof text, HEADER "0,0,0,%s,0,0,0\n", DECIMALS[i].text);
         cr_assert_eq(read_text(text, strlen(text), &scene), 0, "%s", DECIMALS[i].text);
-        cr_expect_eq(scene.circles[0].x, DECIMALS[i].expected, "%s", DECIMALS[i].text);
+        cr_expect_eq(scene.circles[0].depth, DECIMALS[i].expected, "%s", DECIMALS[i].text);
         scene2d_free(&scene);
     }
 }

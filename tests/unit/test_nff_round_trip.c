@@ -46,6 +46,16 @@ static Vec3 random_point(Random *random)
     return (Vec3){random_float(random), random_float(random), random_float(random)};
 }
 
+// A coordinate, or a radius, that a sphere can have.
+static float random_size(Random *random)
+{
+    float size;
+    do {
+        size = random_float(random);
+    } while (fabsf(size) < (float)SCENE3D_SMALLEST || fabsf(size) > (float)SCENE3D_LARGEST);
+    return size;
+}
+
 // The most spheres, materials and lights of a scene.
 #define MAX_ENTRIES 40
 
@@ -68,7 +78,7 @@ static Scene3D random_scene(Random *random, Room *room)
         .n_materials = (int)random_integer(random, 1, MAX_ENTRIES),
         .n_lights = (int)random_integer(random, 0, MAX_ENTRIES),
         .background = random_color(random),
-        .view = {{0, 0, random_length(random)},
+        .view = {{0, 0, fabsf(random_size(random))},
                  {0, 0, 0},
                  {0, random_length(random), 0},
                  179 * random_share(random) + 1e-6f,
@@ -77,9 +87,9 @@ static Scene3D random_scene(Random *random, Room *room)
         .height = (int)random_integer(random, 1, 1000000),
     };
     for (int i = 0; i < scene.n_spheres; i++) {
-        const Vec3 center = random_point(random);
         room->spheres[i] =
-            (Sphere){center.x, center.y, center.z, i % 5 == 0 ? -1e-45f : random_float(random)};
+            (Sphere){i % 5 == 0 ? -1e-45f : random_size(random), random_size(random),
+                     random_size(random), i % 5 == 0 ? -1e-18f : random_size(random)};
         room->material_ids[i] = (u32)random_integer(random, 0, scene.n_materials - 1);
     }
     for (int i = 0; i < scene.n_materials; i++) {
