@@ -117,6 +117,13 @@ static int line_is_noise(const char *line)
            strstr(line, "so overriding noinline attribute") != NULL;  // NVIDIA, of every kernel
 }
 
+// PoCL 7 warns of each vector wider than the processor's registers, also where a pragma turns that
+// off: code for another processor would pass them otherwise. All of a kernel's is compiled at once.
+static int line_is_of_abi(const char *line)
+{
+    return strncmp(line, "warning: ", 9) == 0 && strstr(line, " changes the ABI") != NULL;
+}
+
 // Was the same line in the log before? PoCL reads a program twice and repeats warnings.
 static int line_is_repeated(const char *log, const char *line, size_t length)
 {
@@ -182,7 +189,7 @@ int build_log_print(FILE *out, const char *log, const char *path, const char *al
         size_t length = strcspn(start, "\n");
         char *line = strndup(start, length);
         Diagnostic diagnostic;
-        if (line == NULL || line_is_repeated(log, start, length)) {
+        if (line == NULL || line_is_of_abi(line) || line_is_repeated(log, start, length)) {
             // Nothing to tell the author.
         } else if (diagnostic_read(line, &diagnostic)) {
             file_rename(diagnostic.file, alias, folder);

@@ -135,4 +135,15 @@ for scene in eye-on-side light-on-side far-light farthest-light; do
     check "and with shadows what lab 09 draws: $scene" compare "$out/lit.png" "$out/09.png" 0.004 3
 done
 
+# The largest numbers that a file may hold: what is drawn of these spheres is drawn of all of them 2^59 times as large. They
+# and the eye are at the corners.
+printf '%s\n' v 'from 1 1 1' 'at -1 -1 -1' 'up 0 1 0' 'angle 90' 'hither 0' 'resolution 48 48' 'l 3 4 5' 'l -1 1 1' 'f 1 0 0 1 0.5 0 0 0' \
+    's -1 -1 -1 1' 's 1 -1 -1 1' 'f 0 1 0 1 0.5 0 0 0' 's -1 1 -1 0.5' 's -1 -1 1 -1' 's 0 0.25 0.125 0.25' >"$scenes/corners.nff"
+LC_ALL=C awk '/^(from|at|l|s) / { for (i = 2; i <= NF; i++) $i = sprintf("%.17g", $i * 2 ^ 59) } { print }' "$scenes/corners.nff" >"$scenes/vast.nff"
+for lab in 05 07 08 09 10; do
+    works run $lab --scene "$scenes/corners.nff" --output "$out/corners.exr"
+    works run $lab --scene "$scenes/vast.nff" --output "$out/vast.exr"
+    check "lab $lab draws the largest spheres as it draws small ones" compare "$out/vast.exr" "$out/corners.exr"
+done
+
 finish

@@ -20,6 +20,7 @@ nff() {
 
 nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 nan' >"$scenes/nan.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 0' >"$scenes/zero.nff"
+nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0 2e18' >"$scenes/vast.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 45 's 0 0 0' >"$scenes/short.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 45 'q 0 0 0' >"$scenes/unknown.nff"
 nff '0 -5 0' '0 0 0' '0 0 1' 45 'p 3' '0 0 0' >"$scenes/cut.nff"
@@ -58,6 +59,7 @@ rm -f "$new"
 refuses_each <<'END'
 04|missing.nff: cannot be read: No such file|--scene $scenes/missing.nff
 05|nan.nff:8: |--scene $scenes/nan.nff
+07|vast.nff:8: radius: found "2e18", expected a number from 1e-18 to 1e18|--scene $scenes/vast.nff
 06|zero.nff:8: |--scene $scenes/zero.nff
 07|short.nff:8: |--scene $scenes/short.nff
 04|unknown.nff:8: |--scene $scenes/unknown.nff

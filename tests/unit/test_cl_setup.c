@@ -311,6 +311,17 @@ Test(cl_setup, a_log_of_noise_has_no_message)
     cr_expect_eq(n_messages, 0);
 }
 
+// What PoCL 7 says of vectors is no news for who writes a kernel.
+Test(cl_setup, warnings_of_calls_between_processors_are_not_shown)
+{
+    cr_expect_str_empty(print_log(
+        "warning: k.cl:1:1: AVX vector argument of type '__private float16' (vector of 16 'float' "
+        "values) without 'avx512f' enabled changes the ABI\n"
+        "warning: k.cl:1:1 <Spelling=<scratch space>:20:1>: AVX vector return of type 'int16' "
+        "(vector of 16 'int' values) without 'avx512f' enabled changes the ABI\n"
+        "2 warnings generated.\n"));
+}
+
 // Only a whole line is a summary, and a diagnostic is one whatever it says.
 Test(cl_setup, errors_that_speak_of_what_is_generated_are_kept)
 {
