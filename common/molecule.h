@@ -47,8 +47,8 @@ void molecule_leave_out(Molecule *molecule, const char *rest, const char *of,
 
 // Place the view so that all atoms are seen in a picture that is at least as wide as high, light
 // the scene, and hand it over; a molecule without atoms is a fault. Prints one warning when
-// elements were unknown, atoms left out, or the file ends too soon. Returns 0, or -1 after one message on stderr;
-// everything is then released.
+// elements were unknown, atoms left out, or the file ends too soon. Returns 0, or -1 after one
+// message on stderr; everything is then released.
 int molecule_finish(Molecule *molecule, Scene3D *scene);
 
 #endif

@@ -57,9 +57,9 @@ typedef struct Scene3D {
 #define SCENE3D_MAX_SPHERES 10000000
 #define SCENE3D_MAX_LIGHTS 1000
 
-// Files hold spheres of radii from the smallest to the largest, whose centres are no farther from the
-// origin along an axis than the largest, as is the eye. Kernels square distances in float: beyond,
-// the square of one that a ray meets, up to 27 times the largest's, is infinite, or 0.
+// Files hold spheres of radii from the smallest to the largest. Their centres and the eye are no
+// farther from the origin along an axis than the largest. Kernels square distances in float:
+// beyond, the square of one that a ray meets, up to 27 times the largest's, is infinite, or 0.
 #define SCENE3D_LARGEST 1e18
 #define SCENE3D_SMALLEST 1e-18
 
