@@ -33,9 +33,9 @@ Test(report_json, reads_back_with_every_field)
         "overlaps_N_Nearer", "points", 25, "max_points", 25, "status", "passed", "message", "",
         "hint", "", "id", "overlaps-boundary", "title", "The boundary belongs to it", "task",
         "overlaps_N_Nearer", "points", 0, "max_points", 15, "status", "failed", "message",
-        "\"quoted\" \\ " UNKNOWN " " UNKNOWN " end", "hint", "Compare the squares.", "id",
-        "picture", "title", "A random scene", "task", "implicit2DRenderer", "points", 0,
-        "max_points", 60, "status", "not-run", "message", "", "hint", "");
+        "\"quoted\" \\ \\x01 \\xFF end", "hint", "Compare the squares.", "id", "picture", "title",
+        "A random scene", "task", "implicit2DRenderer", "points", 0, "max_points", 60, "status",
+        "not-run", "message", "", "hint", "");
     cr_assert_not_null(expected);
     cr_expect(json_equal(found, expected), "found %s", text);
     json_decref(expected);
