@@ -239,7 +239,8 @@ all=$class
 class=$scratch/nothing
 mkdir -p "$class/Grace Hopper_2_assignsubmission_onlinetext_" "$class/Joan Clarke_3_assignsubmission_file_" \
     "$class/Mary Shaw_4_assignsubmission_onlinetext_" "$class/Mary Shaw_4_assignsubmission_file_" \
-    "$class/Käthe Müller_6_assignsubmission_file_"
+    "$class/Käthe Müller_6_assignsubmission_file_" "$class/Emmy Noether_7_assignsubmission_file_" \
+    "$class/Lise Meitner_8_assignsubmission_file_"
 printf 'Rar!\032\007' >"$class/Ada Lovelace_1_assignsubmission_file_lab.rar"
 echo "<p>my answer</p>" >"$class/Grace Hopper_2_assignsubmission_onlinetext_/onlinetext.html"
 cp solutions/01-naive-2d/overlaps_N_Nearer.cl "$class/Joan Clarke_3_assignsubmission_file_/"
@@ -247,6 +248,11 @@ echo "see the file" >"$class/Mary Shaw_4_assignsubmission_onlinetext_/onlinetext
 cp solutions/$lab/*.c* "$class/Mary Shaw_4_assignsubmission_file_"
 printf '%%PDF' >"$scratch/Lösung Übung.pdf"
 zip -q -j "$class/Käthe Müller_6_assignsubmission_file_/für 00.zip" "$scratch/Lösung Übung.pdf"
+for file in $(jq -r '.files[]' solutions/$lab/lab.json); do
+    printf '\n \n' >"$class/Emmy Noether_7_assignsubmission_file_/$file"
+done
+# An empty zip has the mark of its end only.
+{ printf 'PK\005\006' && head -c 18 /dev/zero; } >"$class/Lise Meitner_8_assignsubmission_file_/00.zip"
 cat >"$scratch/nothing.csv" <<'END'
 Identifier,"Full name",Grade,"Feedback comments"
 "Participant 1","Ada Lovelace",,
@@ -255,11 +261,13 @@ Identifier,"Full name",Grade,"Feedback comments"
 "Participant 4","Mary Shaw",,
 "Participant 5","Jean Jennings",,
 "Participant 6","Käthe Müller",,
+"Participant 7","Emmy Noether",,
+"Participant 8","Lise Meitner",,
 END
 without=$scratch/nothing.out
-check "an archive that is none, a text, another lab's file" exits 0 run "$without" --moodle "$scratch/nothing.csv"
-check "are counted" said "1 of 6 graded and entered; 1 without submission; 0 passed over; 4 with nothing of this lab; 1 earlier attempts; 0 to be decided by you"
-for name in "Ada Lovelace" "Grace Hopper" "Joan Clarke" "Käthe Müller"; do
+check "an archive that is none, a text, other files, files with nothing in them, an empty archive" exits 0 run "$without" --moodle "$scratch/nothing.csv"
+check "are counted" said "1 of 8 graded and entered; 1 without submission; 0 passed over; 6 with nothing of this lab; 1 earlier attempts; 0 to be decided by you"
+for name in "Ada Lovelace" "Grace Hopper" "Joan Clarke" "Käthe Müller" "Emmy Noether" "Lise Meitner"; do
     check "$name: no zero, but a blank" grep -q "^\"Participant .\",\"$name\",\"\",.*,\"$name\",\".\",1,\"nothing of this lab\",,," \
         "$without/gradebook.csv"
 done
@@ -275,7 +283,7 @@ check "in the comment" grep -qF '"nothing of this lab was found: the archive hol
     "$without/upload.csv"
 check "and in the terminal" said 'Käthe Müller: the archive holds "Lösung Übung.pdf"'
 check "the page is well-formed" xmllint --html --noout "$without/class.html"
-check "each result has a field for it" test "$(grep -l '"nothing_of_lab": true' "$without"/students/*/results.json | wc -l)" -eq 5
+check "each result has a field for it" test "$(grep -l '"nothing_of_lab": true' "$without"/students/*/results.json | wc -l)" -eq 7
 before=$(n_graded "$without")
 check "NOTHING=0" exits 0 run "$without" --moodle "$scratch/nothing.csv" --nothing 0
 check "is a zero in the list" grep -q '^"Participant 1","Ada Lovelace","0.00",.*,"Ada Lovelace","1",1,"nothing of this lab",0,100,' \

@@ -257,6 +257,18 @@ Test(stage_places, refuses_too_many_equally_good_places)
     free(message);
 }
 
+Test(stage_places, says_what_counts_no_more_than_an_empty_file)
+{
+    path_write("labs/03-x/a.cl");
+    file_write("from/a.cl", "\n", 1);
+    char *message;
+    cr_assert_eq(lab_stage(1, &message), 1);
+    const char *second = strchr(message, '\n');
+    cr_assert_not_null(second, "%s", message);
+    cr_expect_str_eq(second + 1, "a.cl: another one, which does not count, is in \"labs/03-x\"");
+    free(message);
+}
+
 Test(stage_places, shows_names_that_are_fit_for_a_terminal)
 {
     char longest[256];
