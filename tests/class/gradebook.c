@@ -168,6 +168,11 @@ static const char *picture_find(const char *folder, const char *slug)
     return NULL;
 }
 
+static int is_silent(const GradedCheck *check, Silence silence)
+{
+    return check->silent != NULL && strcmp(check->silent, silence_name(silence)) == 0;
+}
+
 // Take what a row needs of a result that was read.
 static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
 {
@@ -204,10 +209,9 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->not_run[i] = check->status == CHECK_NOT_RUN;
         row->causes[i] = check->cause != NULL ? strdup(check->cause) : NULL;
         row->check_points[i] = check->points;
-        row->is_open[i] = strncmp(check->message, NOT_ANSWERED, strlen(NOT_ANSWERED)) == 0;
+        row->is_open[i] = is_silent(check, SILENCE_UNANSWERED);
         row->is_hidden[i] = (char)check->is_hidden;
-        const int is_found = check->status == CHECK_FAILED && !row->is_open[i] &&
-                             strstr(check->message, PROGRAM_HAD_ENDED) == NULL;
+        const int is_found = check->status == CHECK_FAILED && check->silent == NULL;
         row->found[i] = is_found ? first_line(check->message) : NULL;
     }
     first_fault_take(row, graded);

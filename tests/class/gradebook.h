@@ -36,7 +36,7 @@ typedef struct Row {
     char is_hidden[RESULT_MAX_CHECKS];    // what it finds is not for students
     char *causes[RESULT_MAX_CHECKS];      // its known mistake, a fixed sentence, or NULL
     char *found[RESULT_MAX_CHECKS];       // the first line of what it said; NULL: passed, not run,
-                                          // not answered, or the program had ended
+                                          // or it says nothing about the answer
     char *fault;          // title of the first stage or check that did not pass, or NULL
     char *fault_id;       // the check's id, "" for a stage
     char *fault_message;  // the first line of what it said

@@ -109,6 +109,27 @@ Test(graded, reads_the_known_mistake_apart)
     result_free(&result);
 }
 
+// Why a check says nothing of the answer, and where it was seen, likewise.
+Test(graded, reads_apart_why_nothing_is_said)
+{
+    static const char *const words[N_SILENCES] = {NULL, "unanswered", "untried", "ended"};
+    for (Silence silence = SILENCE_NONE; silence < N_SILENCES; silence++) {
+        Result result = result_make("");
+        Graded graded;
+        check_fail(&result.checks[1], diagnosis_silent(silence, "some words"));
+        result.checks[1].diagnosis.evidence =
+            silence == SILENCE_NONE ? EVIDENCE_PICTURE : EVIDENCE_VALUES;
+        char *text = file_report(report_json, &result);
+        cr_assert_eq(graded_load_text(text, &graded), 0);
+        const char *read = graded.checks[1].silent;
+        cr_expect(read == words[silence] || (read != NULL && strcmp(read, words[silence]) == 0));
+        cr_expect_eq(strstr(text, "\"in_picture\": true") != NULL, silence == SILENCE_NONE);
+        graded_free(&graded);
+        free(text);
+        result_free(&result);
+    }
+}
+
 Test(graded, reads_what_the_grader_wrote)
 {
     Result result = result_make("wrong");
