@@ -339,5 +339,24 @@ int corrections_apply(Corrections *corrections, Gradebook *gradebook)
         }
     }
     gradebook->corrections = corrections;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        row_fault_find(gradebook, &gradebook->rows[i]);
+    }
+    return 0;
+}
+
+int corrections_make_up(const Gradebook *gradebook, const Row *row, const Column *check)
+{
+    const Corrections *corrections = gradebook->corrections;
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        if (correction->is_applied && correction->row == row &&
+            correction->after == correction->max_points &&
+            (is_score(correction) ||
+             (strcmp(correction->task, check->task) == 0 &&
+              (correction->check == NULL || strcmp(correction->check, check->id) == 0)))) {
+            return 1;
+        }
+    }
     return 0;
 }
