@@ -167,8 +167,8 @@ changes 23,gradient-picture,30,,
 check "a check that gets its points" exits 0 corrected
 check "is no fault any more: the next one is" grep -q \
     '^"Participant 23",.*First fault: Nothing is written outside the picture: it does' "$out/upload.csv"
-for change in 23,gradient,40,, 23,score,100,,; do
-    changes $change
+for change in "23,gradient,40,," "23,score,100,,"; do
+    changes "$change"
     check "$change" exits 0 corrected
     check "$change: 100 points have no first fault in the comment" test "$(grep -c 'First fault' "$out/upload.csv")" -eq 0
     check "$change: nor in the gradebook" test "$(value 23 '.score, .first_fault')" = "100 null"
