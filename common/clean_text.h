@@ -16,8 +16,8 @@ enum {
 };
 
 // A message of one or more lines; newlines and tabs stay, trailing newlines go. Each byte of what
-// cannot be shown becomes \xHH. NULL counts as "". Owned by the caller; ends the program when memory
-// runs out.
+// cannot be shown becomes \xHH. NULL counts as "". Owned by the caller; ends the program when
+// memory runs out.
 char *message_clean(const char *message);
 
 // The same for what must be one line (a path, a device's name): newlines and tabs become spaces.
