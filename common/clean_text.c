@@ -9,10 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define REPLACEMENT "\xEF\xBF\xBD"  // U+FFFD
-
-_Static_assert(sizeof REPLACEMENT - 1 == CLEAN_TEXT_GROWTH, "a byte may become all of it");
-
 // How a message that is too long is shared out between its beginning and its end.
 enum {
     HEAD_LINES = 29,
@@ -56,44 +52,43 @@ int character_is_unseen(uint32_t character)
     return i < sizeof unseen / sizeof *unseen && character >= unseen[i].first;
 }
 
-void text_show(const char *text, int one_line, char *clean)
+// Write each byte as \xHH. Returns the end.
+static char *bytes_show(const char *bytes, int n_bytes, char *end)
+{
+    for (int i = 0; i < n_bytes; i++) {
+        end += sprintf(end, "\\x%02X", (unsigned char)bytes[i]);
+    }
+    return end;
+}
+
+void text_show(const char *text, TextForm form, char *clean)
 {
     char *end = clean;
     for (const char *from = text; *from != '\0';) {
         uint32_t character;
         const int length = utf8_read(from, &character);
-        if (from[0] == '\r' && from[1] == '\n') {
+        if (from[0] == '\r' && from[1] == '\n' && form != TEXT_QUOTED) {
             from++;
-        } else if (*from == '\n' || *from == '\t') {
-            *end++ = one_line ? ' ' : *from;
+        } else if ((*from == '\n' || *from == '\t') && form != TEXT_QUOTED) {
+            *end++ = form == TEXT_IN_LINES ? *from : ' ';
             from++;
         } else if (length > 0 && !character_is_unseen(character)) {
             memcpy(end, from, (size_t)length);
             end += length;
             from += length;
         } else {
-            memcpy(end, REPLACEMENT, strlen(REPLACEMENT));
-            end += strlen(REPLACEMENT);
+            end = bytes_show(from, length > 0 ? length : 1, end);
             from += length > 0 ? length : 1;
         }
     }
     *end = '\0';
 }
 
-void ascii_show(char *text)
-{
-    for (char *c = text; *c != '\0'; c++) {
-        if (*c < ' ' || *c > '~') {
-            *c = '?';
-        }
-    }
-}
-
-static char *showable(const char *text, int one_line)
+char *text_clean(const char *text, TextForm form)
 {
     text = text != NULL ? text : "";
     char *clean = memory_for(CLEAN_TEXT_GROWTH * strlen(text) + 1);
-    text_show(text, one_line, clean);
+    text_show(text, form, clean);
     return clean;
 }
 
@@ -152,7 +147,7 @@ static char *lines_limit(char *text)
 
 char *message_clean(const char *message)
 {
-    char *text = showable(message, 0);
+    char *text = text_clean(message, TEXT_IN_LINES);
     for (size_t length = strlen(text); length > 0 && text[length - 1] == '\n'; length--) {
         text[length - 1] = '\0';
     }
@@ -165,7 +160,7 @@ char *message_clean(const char *message)
 
 char *line_clean(const char *line)
 {
-    char *text = showable(line, 1);
+    char *text = text_clean(line, TEXT_IN_A_LINE);
     if (strlen(text) > LINE_MAX_BYTES) {
         text = bytes_limit(text, LINE_MAX_BYTES - LINE_TAIL_BYTES, LINE_TAIL_BYTES);
     }

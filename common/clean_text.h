@@ -15,22 +15,27 @@ enum {
     LINE_MAX_BYTES = 500,
 };
 
-// A message of one or more lines; newlines and tabs stay, trailing newlines go. What cannot be
-// shown becomes U+FFFD. NULL counts as "". Owned by the caller; ends the program when memory runs
-// out.
+// A message of one or more lines; newlines and tabs stay, trailing newlines go. Each byte of what
+// cannot be shown becomes \xHH. NULL counts as "". Owned by the caller; ends the program when
+// memory runs out.
 char *message_clean(const char *message);
 
 // The same for what must be one line (a path, a device's name): newlines and tabs become spaces.
 char *line_clean(const char *line);
 
-// What both stand on: write `text` so that all of it can be shown, whatever its length.
-//   one_line   newlines and tabs become spaces, too
-//   clean      out; holds CLEAN_TEXT_GROWTH * strlen(text) + 1 bytes
-enum { CLEAN_TEXT_GROWTH = 3 };
-void text_show(const char *text, int one_line, char *clean);
+// What becomes of newlines and tabs.
+typedef enum TextForm {
+    TEXT_IN_LINES,   // they stay
+    TEXT_IN_A_LINE,  // they become spaces
+    TEXT_QUOTED,     // they are shown as bytes, as a name or a wrong number must be seen as it is
+} TextForm;
 
-// What is shorter, for quotations: in place, each byte that is no printable ASCII becomes '?'.
-void ascii_show(char *text);
+// The same without a limit.
+char *text_clean(const char *text, TextForm form);
+
+// The same into `clean`, which holds CLEAN_TEXT_GROWTH * strlen(text) + 1 bytes.
+enum { CLEAN_TEXT_GROWTH = 4 };
+void text_show(const char *text, TextForm form, char *clean);
 
 // Is it a character that is not seen: a control, a mark of no width, one that turns the reading
 // direction?

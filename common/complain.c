@@ -48,6 +48,6 @@ void complain(const char *format, ...)
     }
     va_end(again);
     va_end(arguments);
-    text_show(text, 1, clean);
+    text_show(text, TEXT_IN_A_LINE, clean);
     fprintf(stderr, "%s\n", clean);
 }

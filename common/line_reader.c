@@ -7,6 +7,7 @@
 #include "clean_text.h"
 #include "complain.h"
 #include "number.h"
+#include "utf8.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -147,8 +148,16 @@ void line_fault(LineReader *reader, const char *where, const char *found, const 
 
 const char *line_quote(const char *text, char *quoted)
 {
-    snprintf(quoted, LINE_QUOTE_SIZE, "\"%.40s%s\"", text, strlen(text) > 40 ? "..." : "");
-    ascii_show(quoted);
+    char start[LINE_QUOTE_BYTES + 1];
+    size_t n = strnlen(text, LINE_QUOTE_BYTES);
+    // Whole characters, which have at most four bytes.
+    for (int i = 0; i < 3 && n > 0 && utf8_goes_on(text[n]); i++) {
+        n--;
+    }
+    snprintf(start, sizeof start, "%.*s", (int)n, text);
+    quoted[0] = '"';
+    text_show(start, TEXT_QUOTED, quoted + 1);
+    strcat(quoted, text[n] != '\0' ? "...\"" : "\"");
     return quoted;
 }
 

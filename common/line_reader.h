@@ -4,6 +4,8 @@
 #ifndef COMMON_LINE_READER_H
 #define COMMON_LINE_READER_H
 
+#include "clean_text.h"
+
 #include <stdint.h>
 #include <stdio.h>
 
@@ -42,9 +44,9 @@ void line_fault(LineReader *reader, const char *where, const char *found, const 
 //             cut, and nothing but its writer knows; or it lacks no more than that.
 void line_warn(const LineReader *reader, const char *warning);
 
-// Text from a file, fit for a message: in quotes, at most 40 characters of it, nothing that moves a
-// terminal. `quoted` holds LINE_QUOTE_SIZE bytes. Returns it.
-#define LINE_QUOTE_SIZE 64
+// Text from a file, fit for a message (clean_text.h): in quotes, at most 40 bytes of it. `quoted`
+// holds LINE_QUOTE_SIZE bytes. Returns it.
+enum { LINE_QUOTE_BYTES = 40, LINE_QUOTE_SIZE = CLEAN_TEXT_GROWTH * LINE_QUOTE_BYTES + 8 };
 const char *line_quote(const char *text, char *quoted);
 
 // Cut a line into words at spaces, tabs and "\r", in place.

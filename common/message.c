@@ -2,6 +2,7 @@
 #include "message.h"
 
 #include "clean_text.h"
+#include "utf8.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,13 +36,20 @@ const char *plural(unsigned n)
 char *message_show(const char *text, char *shown, size_t n_bytes)
 {
     static const char gap[] = "...";
-    const size_t length = strlen(text);
+    char *clean = text_clean(text, TEXT_QUOTED);
+    const size_t length = strlen(clean);
     if (length < n_bytes) {
-        memcpy(shown, text, length + 1);
+        memcpy(shown, clean, length + 1);
     } else {
-        const size_t half = (n_bytes - sizeof gap) / 2;
-        snprintf(shown, n_bytes, "%.*s%s%s", (int)half, text, gap, text + length - half);
+        size_t half = (n_bytes - sizeof gap) / 2, tail = length - half;
+        while (utf8_goes_on(clean[half])) {
+            half--;
+        }
+        while (utf8_goes_on(clean[tail])) {
+            tail++;
+        }
+        snprintf(shown, n_bytes, "%.*s%s%s", (int)half, clean, gap, clean + tail);
     }
-    ascii_show(shown);
+    free(clean);
     return shown;
 }

@@ -28,26 +28,15 @@ static void figure_add(Stats *stats, const char *name, json_t *value)
     }
 }
 
-// JSON is UTF-8, but a file name may hold any bytes. Bytes of broken text become '?'.
-static json_t *json_any_string(const char *value)
-{
-    json_t *string = json_string(value);
-    if (string != NULL) {
-        return string;
-    }
-    char *ascii = strdup(value);
-    if (ascii == NULL) {
-        return NULL;
-    }
-    ascii_show(ascii);
-    string = json_string(ascii);
-    free(ascii);
-    return string;
-}
-
 void stats_text(Stats *stats, const char *name, const char *value)
 {
-    figure_add(stats, name, json_any_string(value));
+    json_t *string = json_string(value);
+    if (string == NULL) {  // JSON is UTF-8, but a file's name may hold any bytes
+        char *clean = text_clean(value, TEXT_QUOTED);
+        string = json_string(clean);
+        free(clean);
+    }
+    figure_add(stats, name, string);
 }
 
 void stats_integer(Stats *stats, const char *name, int64_t value)

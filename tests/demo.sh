@@ -21,7 +21,7 @@ escape() {
 
 # The title in a lab's manifest.
 title() {
-    sed -n 's/^  "title": "\(.*\)",$/\1/p' "solutions/$1/lab.json" | escape
+    jq -er .title "solutions/$1/lab.json" | escape
 }
 
 # One picture: run a solution with options and add it to the page. figure LAB FILE OPTION...

@@ -389,7 +389,7 @@ int gradebook_page_without_names(const Gradebook *gradebook, const char *path)
         shown.n_nothing += row->status == ROW_NOTHING;
         // A stage, such as the compiler, quotes what the student wrote.
         if (row->fault != NULL && (row->fault_id[0] == '\0' || row->is_fault_hidden)) {
-            copy->fault_message = (char *)"";
+            copy->fault_message = "";
         }
     }
     qsort(shown.rows, (size_t)shown.n_rows, sizeof *shown.rows, shown_compare);

@@ -194,16 +194,6 @@ static int is_taken(const Corrections *corrections, const Correction *correction
     return 0;
 }
 
-// The whole of a text, fit for one line; NULL when memory runs out.
-static char *text_clean(const char *text)
-{
-    char *clean = malloc(CLEAN_TEXT_GROWTH * strlen(text) + 1);
-    if (clean != NULL) {
-        text_show(text, 1, clean);
-    }
-    return clean;
-}
-
 static int line_read(Corrections *corrections, const Manifest *manifest, const Gradebook *gradebook,
                      const SheetLine *line, const int *columns)
 {
@@ -212,13 +202,11 @@ static int line_read(Corrections *corrections, const Manifest *manifest, const G
     if (columns[UNTIL] >= 0) {
         day_settle(line->cells[columns[UNTIL]]);
     }
-    *correction = (Correction){.line = (int)(line - corrections->sheet.lines) + 1,
-                               .comment = text_clean(cell_of(line, columns[COMMENT])),
-                               .until = cell_of(line, columns[UNTIL])};
+    *correction =
+        (Correction){.line = (int)(line - corrections->sheet.lines) + 1,
+                     .comment = text_clean(cell_of(line, columns[COMMENT]), TEXT_IN_A_LINE),
+                     .until = cell_of(line, columns[UNTIL])};
     corrections->n++;
-    if (correction->comment == NULL) {
-        return sheet_fault(corrections->path, correction->line, "out of memory");
-    }
     int result =
         student_find(corrections, gradebook, line->cells[columns[STUDENT]], correction) != 0 ||
         change_read(corrections, manifest, line->cells[columns[TASK]], line->cells[columns[POINTS]],
@@ -351,5 +339,24 @@ int corrections_apply(Corrections *corrections, Gradebook *gradebook)
         }
     }
     gradebook->corrections = corrections;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        row_fault_find(gradebook, &gradebook->rows[i]);
+    }
+    return 0;
+}
+
+int corrections_make_up(const Gradebook *gradebook, const Row *row, const Column *check)
+{
+    const Corrections *corrections = gradebook->corrections;
+    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
+        const Correction *correction = &corrections->all[i];
+        if (correction->is_applied && correction->row == row &&
+            correction->after == correction->max_points &&
+            (is_score(correction) ||
+             (strcmp(correction->task, check->task) == 0 &&
+              (correction->check == NULL || strcmp(correction->check, check->id) == 0)))) {
+            return 1;
+        }
+    }
     return 0;
 }

@@ -48,6 +48,9 @@ void corrections_free(Corrections *corrections);
 // row is changed.
 int corrections_apply(Corrections *corrections, Gradebook *gradebook);
 
+// Did the instructor give all points of a check, of its task or of the whole, though it failed?
+int corrections_make_up(const Gradebook *gradebook, const Row *row, const Column *check);
+
 // Has a row a correction? And how many corrections of points had none to change?
 int corrections_has(const Gradebook *gradebook, const Row *row);
 int corrections_count_waiting(const Gradebook *gradebook);

@@ -91,8 +91,8 @@ static int faults_list(const Gradebook *gradebook, Fault *faults)
         if (!row_is_counted(gradebook, row)) {
             continue;
         }
-        if (row->fault != NULL && row->fault_id[0] == '\0') {
-            faults[n++] = (Fault){row, -1, row->fault, row->fault_message};
+        if (row->stage != NULL) {
+            faults[n++] = (Fault){row, -1, row->stage, row->stage_said};
         }
         for (int c = 0; c < gradebook->n_checks; c++) {
             if (row->found[c] != NULL) {
@@ -107,7 +107,7 @@ static Failure failure_begin(const Gradebook *gradebook, const Fault *fault, con
 {
     const Column *check = fault->check >= 0 ? &gradebook->checks[fault->check] : NULL;
     return (Failure){.check = fault->check,
-                     .title = check != NULL ? check->title : fault->row->fault,
+                     .title = check != NULL ? check->title : fault->row->stage,
                      .id = check != NULL ? check->id : "",
                      .cause = check != NULL ? fault->cause : NULL,
                      .sentence = fault->sentence,

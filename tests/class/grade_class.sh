@@ -130,6 +130,7 @@ case $against in -*) against=./$against ;; esac
 for file in "$list" "$who" "$changes" "$points" "$against"; do
     [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
 done
+command -v jq >/dev/null || die "jq is not here: install the package jq"
 [ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
 # "3", "03" or the whole name.
 lab_number=${CLASS_LAB%%-*}
@@ -167,7 +168,7 @@ flock --wait 20 9 || die "$CLASS_FOLDER: another run is at work there"
 
 # One lab, as another one's gradebook would take the place of this one's.
 of_lab=$(grep . "$CLASS_FOLDER/lab" 2>/dev/null ||
-    sed -n 's/^"lab": "\(.*\)",$/\1/p' "$CLASS_FOLDER/gradebook.json" 2>/dev/null)
+    jq -r '.lab // empty' "$CLASS_FOLDER/gradebook.json" 2>/dev/null)
 [ "${of_lab:-$CLASS_LAB}" = "$CLASS_LAB" ] ||
     die "$CLASS_FOLDER: found a class of $of_lab, expected a folder of its own for $CLASS_LAB (OUTPUT=)"
 put lab "$CLASS_LAB"
@@ -279,13 +280,11 @@ set --
 
 # has_full_marks SLUG
 has_full_marks() {
-    awk '/^  "score"/ { score = $2 } /^  "max_score"/ { most = $2 }
-        END { exit score == "" || score != most }' \
-        "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null
+    jq -e '.score == .max_score' "$CLASS_FOLDER/students/$1/results.json" >/dev/null 2>&1
 }
 
 # has_results SLUG: are they whole? A full disk, or a crash of the machine, may have cut them short.
-has_results() { [ "$(tail -n 1 "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null)" = "}" ]; }
+has_results() { jq -e .checks "$CLASS_FOLDER/students/$1/results.json" >/dev/null 2>&1; }
 
 # is_wanted SLUG KEY: is there something to do at the start?
 is_wanted() {

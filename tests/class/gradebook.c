@@ -5,6 +5,7 @@
 
 #include "clean_text.h"
 #include "complain.h"
+#include "corrections.h"
 #include "graded.h"
 #include "path.h"
 #include "text_file.h"
@@ -98,26 +99,23 @@ static char *first_line(const char *message)
     return clean;
 }
 
-static void fault_take(Row *row, const char *title, const char *id, const char *message)
+void row_fault_find(const Gradebook *gradebook, Row *row)
 {
-    row->fault = strdup(title);
-    row->fault_id = strdup(id);
-    row->fault_message = first_line(message);
-}
-
-// What went wrong first: in a stage, which keeps checks from running, or in a check.
-static void first_fault_take(Row *row, const Graded *graded)
-{
-    if (graded->failed_stage != NULL) {
-        fault_take(row, graded->failed_stage, "", graded->stage_message);
+    row->fault = row->fault_id = row->fault_message = NULL;
+    row->is_fault_hidden = 0;
+    if (row->score >= gradebook->max_score) {
         return;
     }
-    for (int i = 0; i < graded->n_checks; i++) {
-        const GradedCheck *check = &graded->checks[i];
-        if (check->status != CHECK_PASSED) {
-            fault_take(row, check->title, check->id, check->message);
-            row->is_fault_hidden = check->is_hidden;
-            return;
+    if (row->stage != NULL) {
+        row->fault = row->stage, row->fault_id = "", row->fault_message = row->stage_said;
+        return;
+    }
+    for (int i = 0; i < gradebook->n_checks && row->fault == NULL; i++) {
+        const Column *check = &gradebook->checks[i];
+        if (row->said[i] != NULL && !corrections_make_up(gradebook, row, check)) {
+            row->fault = check->title, row->fault_id = check->id;
+            row->fault_message = row->said[i];
+            row->is_fault_hidden = row->is_hidden[i];
         }
     }
 }
@@ -168,6 +166,11 @@ static const char *picture_find(const char *folder, const char *slug)
     return NULL;
 }
 
+static int is_silent(const GradedCheck *check, Silence silence)
+{
+    return check->silent != NULL && strcmp(check->silent, silence_name(silence)) == 0;
+}
+
 // Take what a row needs of a result that was read.
 static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
 {
@@ -204,13 +207,17 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->not_run[i] = check->status == CHECK_NOT_RUN;
         row->causes[i] = check->cause != NULL ? strdup(check->cause) : NULL;
         row->check_points[i] = check->points;
-        row->is_open[i] = strncmp(check->message, NOT_ANSWERED, strlen(NOT_ANSWERED)) == 0;
+        row->is_open[i] = is_silent(check, SILENCE_UNANSWERED);
         row->is_hidden[i] = (char)check->is_hidden;
-        const int is_found = check->status == CHECK_FAILED && !row->is_open[i] &&
-                             strstr(check->message, PROGRAM_HAD_ENDED) == NULL;
-        row->found[i] = is_found ? first_line(check->message) : NULL;
+        const int is_found = check->status == CHECK_FAILED && check->silent == NULL;
+        row->said[i] = row->passed[i] ? NULL : first_line(check->message);
+        row->found[i] = is_found ? row->said[i] : NULL;
     }
-    first_fault_take(row, graded);
+    if (graded->failed_stage != NULL) {
+        row->stage = strdup(graded->failed_stage);
+        row->stage_said = first_line(graded->stage_message);
+    }
+    row_fault_find(gradebook, row);
     row->picture = picture_find(gradebook->folder, row->entrant->slug);
     gradebook->n_graded++;
 }
@@ -411,9 +418,9 @@ void gradebook_free(Gradebook *gradebook)
     for (int i = 0; i < gradebook->n_rows; i++) {
         Row *row = &gradebook->rows[i];
         free(row->reason), free(row->seed);
-        free(row->fault), free(row->fault_id), free(row->fault_message);
+        free(row->stage), free(row->stage_said);
         for (int c = 0; c < RESULT_MAX_CHECKS; c++) {
-            free(row->causes[c]), free(row->found[c]);
+            free(row->causes[c]), free(row->said[c]);
         }
     }
     free(gradebook->rows);

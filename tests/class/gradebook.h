@@ -29,20 +29,23 @@ typedef struct Row {
     int score;                       // with corrections by hand, less what lateness costs
     int graded_score;                // as the grader gave it
     int points[MANIFEST_MAX_TASKS];  // with corrections
-    int check_points[RESULT_MAX_CHECKS];  // without
-    char passed[RESULT_MAX_CHECKS];       // check i of the gradebook passed
-    char not_run[RESULT_MAX_CHECKS];      // or could not be run
-    char is_open[RESULT_MAX_CHECKS];      // or its task stands as it was handed out
-    char is_hidden[RESULT_MAX_CHECKS];    // what it finds is not for students
-    char *causes[RESULT_MAX_CHECKS];      // its known mistake, a fixed sentence, or NULL
-    char *found[RESULT_MAX_CHECKS];       // the first line of what it said; NULL: passed, not run,
-                                          // not answered, or the program had ended
-    char *fault;          // title of the first stage or check that did not pass, or NULL
-    char *fault_id;       // the check's id, "" for a stage
-    char *fault_message;  // the first line of what it said
-    int is_fault_hidden;  // which is not for students
-    const char *picture;  // "picture.png" or "picture.svg" beside the report, or NULL
-    double leaderboard;   // the figure of its race; 0: none
+    int check_points[RESULT_MAX_CHECKS];   // without
+    char passed[RESULT_MAX_CHECKS];        // check i of the gradebook passed
+    char not_run[RESULT_MAX_CHECKS];       // or could not be run
+    char is_open[RESULT_MAX_CHECKS];       // or its task stands as it was handed out
+    char is_hidden[RESULT_MAX_CHECKS];     // what it finds is not for students
+    char *causes[RESULT_MAX_CHECKS];       // its known mistake, a fixed sentence, or NULL
+    char *said[RESULT_MAX_CHECKS];         // the first line of what it said; NULL: passed
+    const char *found[RESULT_MAX_CHECKS];  // the same; NULL also where it was not run, or says
+                                           // nothing about the answer
+    char *stage, *stage_said;              // the first stage that failed, likewise; NULL: none
+    // What went wrong first and still costs points (row_fault_find()); NULL: nothing.
+    const char *fault;          // title of the stage or check
+    const char *fault_id;       // the check's id, "" for a stage
+    const char *fault_message;  // the first line of what it said
+    int is_fault_hidden;        // which is not for students
+    const char *picture;        // "picture.png" or "picture.svg" beside the report, or NULL
+    double leaderboard;         // the figure of its race; 0: none
     int has_old_score;
     int old_score;  // in the gradebook that this one is compared with
 } Row;
@@ -97,6 +100,10 @@ const char *row_status_name(RowStatus status);
 // Of a student's attempts, which a host's export put below each other, the one that counts: the
 // last with something of this lab, or the last of all.
 const Row *row_that_counts(const Gradebook *gradebook, const Row *row);
+
+// Find what went wrong first: in a stage, which keeps checks from running, or in a check. Beside a
+// full score that is nothing, nor is it a check whose points an instructor gave all the same.
+void row_fault_find(const Gradebook *gradebook, Row *row);
 
 // Was it graded? Only then its score counts in means and counts of passed checks.
 int row_is_graded(const Row *row);

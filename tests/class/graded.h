@@ -12,7 +12,8 @@ typedef struct GradedTask {
 
 typedef struct GradedCheck {
     const char *id, *title, *task, *message;
-    const char *cause;  // the known mistake, a fixed sentence; NULL: none is named
+    const char *silent;  // why nothing is said about the answer (silence_name()), or NULL
+    const char *cause;   // the known mistake, a fixed sentence; NULL: none is named
     CheckStatus status;
     int points;
     int is_hidden;  // what it finds is not for students

@@ -95,8 +95,9 @@ static int text_parse(const char *path, const char *expected, const char *bytes,
         complain("gradebook: %s: found %s; expected %s", path, instead, expected);
         return -1;
     }
+    sheet->form = found.form;
     csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL);
-    csv_set_delim(&parser, (unsigned char)found.delimiter);
+    csv_set_delim(&parser, (unsigned char)found.form.delimiter);
     if (csv_parse(&parser, found.text, found.length, cell_read, line_end, &reader) !=
             found.length ||
         csv_fini(&parser, cell_read, line_end, &reader) != 0) {
@@ -129,6 +130,7 @@ int sheet_load(const char *path, const char *expected, Sheet *sheet)
         }
         return result;
     }
+    int is_utf16 = 0;
     size_t length = fread(text, 1, SHEET_MAX_BYTES, file);
     int result = ferror(file) ? fault(path, strerror(errno)) : 0;
     if (result == 0 && length == SHEET_MAX_BYTES) {
@@ -139,10 +141,12 @@ int sheet_load(const char *path, const char *expected, Sheet *sheet)
         if (utf8 != NULL) {
             free(text);
             text = utf8;
+            is_utf16 = 1;
         }
         text[length] = '\0';
     }
     result = result == 0 ? text_parse(path, expected, text, length, sheet) : result;
+    sheet->form.has_mark |= is_utf16;
     fclose(file);
     free(text);
     if (result != 0) {

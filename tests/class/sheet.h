@@ -4,6 +4,8 @@
 #ifndef CLASS_SHEET_H
 #define CLASS_SHEET_H
 
+#include "sheet_text.h"
+
 enum { SHEET_MAX_COLUMNS = 256, SHEET_MAX_BYTES = 16 * 1024 * 1024 };
 
 typedef struct SheetLine {
@@ -14,6 +16,7 @@ typedef struct Sheet {
     SheetLine *lines;  // the first is the head, with the columns' titles; all have n_columns cells
     int n_lines;
     int n_columns;
+    SheetForm form;
 } Sheet;
 
 // Read a file. Commas, semicolons or tabs part its cells (sheet_text.h).

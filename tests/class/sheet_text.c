@@ -71,7 +71,9 @@ static char delimiter_take(SheetText *sheet)
 {
     const char mark[] = "sep=";
     const size_t n_mark = sizeof mark - 1, n_line = line_length(sheet);
+    sheet->form.has_dos_lines = n_line > 0 && sheet->text[n_line - 1] == '\r';
     if (n_line > n_mark && n_line <= n_mark + 2 && strncasecmp(sheet->text, mark, n_mark) == 0) {
+        sheet->form.has_sep = 1;
         const char delimiter = sheet->text[n_mark];
         skip(sheet, n_line < sheet->length ? n_line + 1 : n_line);
         return delimiter;
@@ -81,7 +83,7 @@ static char delimiter_take(SheetText *sheet)
 
 char *sheet_text_from_utf16(const char *bytes, size_t length, size_t *n_utf8)
 {
-    const SheetText text = {bytes, length, ','};
+    const SheetText text = {.text = bytes, .length = length};
     const int is_little = BEGINS_WITH(&text, "\xFF\xFE");
     if ((!is_little && !BEGINS_WITH(&text, "\xFE\xFF")) || length % 2 != 0) {
         return NULL;
@@ -109,7 +111,7 @@ char *sheet_text_from_utf16(const char *bytes, size_t length, size_t *n_utf8)
 
 const char *sheet_text_find(const char *bytes, size_t length, SheetText *sheet)
 {
-    *sheet = (SheetText){bytes, length, ','};
+    *sheet = (SheetText){.text = bytes, .length = length};
     if (BEGINS_WITH(sheet, "\xFF\xFE") || BEGINS_WITH(sheet, "\xFE\xFF")) {
         return "UTF-16; save it as CSV in UTF-8";
     }
@@ -121,10 +123,11 @@ const char *sheet_text_find(const char *bytes, size_t length, SheetText *sheet)
     }
     if (BEGINS_WITH(sheet, "\xEF\xBB\xBF")) {
         skip(sheet, 3);  // a byte order mark
+        sheet->form.has_mark = 1;
     }
     if (!is_utf8(sheet)) {
         return "no UTF-8; save it as CSV in UTF-8";
     }
-    sheet->delimiter = delimiter_take(sheet);
+    sheet->form.delimiter = delimiter_take(sheet);
     return NULL;
 }

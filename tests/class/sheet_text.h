@@ -4,10 +4,18 @@
 
 #include <stddef.h>
 
+// In what form a table was written, to give it back in the same.
+typedef struct SheetForm {
+    char delimiter;     // a comma, a semicolon or a tab
+    int has_mark;       // of UTF-8, at its beginning, or it was UTF-16
+    int has_sep;        // a line "sep=;" before the head
+    int has_dos_lines;  // they end with CR and LF
+} SheetForm;
+
 typedef struct SheetText {
     const char *text;  // behind a byte order mark and a line "sep=;"
     size_t length;
-    char delimiter;  // a comma, a semicolon or a tab
+    SheetForm form;
 } SheetText;
 
 // UTF-16 behind its mark as UTF-8 with a NUL behind it, owned by the caller: Blackboard and Excel

@@ -68,6 +68,12 @@ void list_cell_write(FILE *file, const Worksheet *worksheet, const Participant *
     free(comment);
 }
 
+// A list of somebody's own comes back in the form in which it came; a system takes plain CSV.
+static SheetForm form_of(const Worksheet *worksheet)
+{
+    return worksheet->system == LIST_OTHER ? worksheet->form : (SheetForm){.delimiter = ','};
+}
+
 int upload_csv(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
 {
     OutputFile output;
@@ -77,6 +83,13 @@ int upload_csv(const Gradebook *gradebook, const char *path, const Worksheet *wo
     if (output_file_open(&output, path) != 0) {
         return -1;
     }
+    const SheetForm form = form_of(worksheet);
+    const char *line_end = form.has_dos_lines ? "\r\n" : "\n";
+    const char delimiter[] = {form.delimiter, '\0'};
+    fputs(form.has_mark ? "\xEF\xBB\xBF" : "", output.file);
+    if (form.has_sep) {
+        fprintf(output.file, "sep=%s%s", delimiter, line_end);
+    }
     for (int i = 0; i < worksheet->n_participants; i++) {
         const char *mark = "";
         for (int column = 0; column < worksheet->n_columns; column++) {
@@ -84,10 +97,10 @@ int upload_csv(const Gradebook *gradebook, const char *path, const Worksheet *wo
                 fputs(mark, output.file);
                 list_cell_write(output.file, worksheet, &worksheet->participants[i], column,
                                 gradebook);
-                mark = ",";
+                mark = delimiter;
             }
         }
-        fputc('\n', output.file);
+        fputs(line_end, output.file);
     }
     return output_file_commit(&output);
 }

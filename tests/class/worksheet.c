@@ -57,6 +57,7 @@ static int lines_read(Worksheet *worksheet)
     }
     worksheet->n_participants = sheet.n_lines;
     worksheet->n_columns = sheet.n_columns;
+    worksheet->form = sheet.form;
     for (int i = 0; i < sheet.n_lines; i++) {
         memcpy(worksheet->participants[i].cells, sheet.lines[i].cells, sizeof sheet.lines[i].cells);
         sheet.lines[i] = (SheetLine){0};

@@ -29,6 +29,7 @@ enum { WORKSHEET_MAXIMUM_BYTES = 48 };
 typedef struct Worksheet {
     const char *path;
     ListSystem system;
+    SheetForm form;
     Participant *participants;  // the first is the head, with the columns' titles
     int n_participants;
     int n_columns;

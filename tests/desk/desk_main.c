@@ -63,8 +63,8 @@ static int note(const Desk *desk)
     path_make(path, "%s/grade/%.2s/results.json", desk->build, desk->lab->lab);
     json_t *results = results_load(path);
     const int noted = results != NULL ? record_note(results) : -1;
-    // A message that names a pixel names one of a hidden scene: the open one can be followed.
-    if (strstr(text_of(results_first_fault(results), "message"), ": pixel (") != NULL) {
+    // That picture was of a hidden scene: a pixel of the open one can be followed.
+    if (fault_is_in_picture(results_first_fault(results))) {
         Look look;
         look_open(desk, &look);
         char *command = look_for_command(&look);

@@ -2,7 +2,7 @@
 #include "results.h"
 
 #include "complain.h"
-#include "result.h"
+#include "diagnosis.h"
 
 #include <string.h>
 
@@ -45,7 +45,12 @@ const json_t *results_first_fault(const json_t *results)
 
 int fault_is_unanswered(const json_t *check)
 {
-    return strncmp(text_of(check, "message"), NOT_ANSWERED, strlen(NOT_ANSWERED)) == 0;
+    return strcmp(text_of(check, "silent"), silence_name(SILENCE_UNANSWERED)) == 0;
+}
+
+int fault_is_in_picture(const json_t *check)
+{
+    return json_is_true(json_object_get(check, "in_picture"));
 }
 
 static int points_in(const json_t *results, const char *id)

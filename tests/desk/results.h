@@ -17,6 +17,9 @@ const json_t *results_first_fault(const json_t *results);
 // Is it a check of a task that stands as it was handed out?
 int fault_is_unanswered(const json_t *check);
 
+// Was it seen in the pixels of a picture?
+int fault_is_in_picture(const json_t *check);
+
 // Call `tell` for each check whose points differ between two results of one lab.
 //   before   NULL: each that has points now
 void results_compare(const json_t *before, const json_t *now,

@@ -17,12 +17,6 @@ static int is_failed(const CheckResult *check)
     return check->status == CHECK_FAILED;
 }
 
-static int is_of_pixels(const CheckResult *check)
-{
-    return check->diagnosis.evidence == EVIDENCE_PICTURE ||
-           check->diagnosis.evidence == EVIDENCE_PLAIN_PICTURE;
-}
-
 // Was it seen in a scene what is wrong with it?
 static int is_recognised(const CheckResult *check)
 {
@@ -39,8 +33,8 @@ static int has_strange_pixels(const Result *result, const char *task)
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
         if (is_failed(check) && strcmp(check->task, task) == 0) {
-            n_strange += is_of_pixels(check);
-            n_explained += !is_of_pixels(check);
+            n_strange += check_is_of_pixels(check);
+            n_explained += !check_is_of_pixels(check);
         }
     }
     return n_strange > 0 && n_explained == 0;

@@ -246,7 +246,8 @@ static int tell_alone(Grading *grading, int t, int i)
         check_fail(check, (Diagnosis){.found = message_new("tested alone: %s", own->found),
                                       .cause = own->cause ? message_new("%s", own->cause) : NULL,
                                       .mistake = own->mistake,
-                                      .evidence = own->evidence});
+                                      .evidence = own->evidence,
+                                      .silence = own->silence});
         check->is_explained = found.is_explained;
         check->is_told_alone = 1;
     }

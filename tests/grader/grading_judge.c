@@ -103,16 +103,17 @@ static char *describe_untried(const Grading *grading, const Task *task, const ch
 // Let a check fail as its task was not tried, or not answered: what it found is no news then.
 static void note_unanswered(CheckResult *check, const char *untried)
 {
+    static const char unanswered[] = "not answered yet: it stands as it was handed out";
     if (untried != NULL) {
-        check_fail(check, diagnosis_new("%s", untried));
+        check_fail(check, diagnosis_silent(SILENCE_UNTRIED, "%s", untried));
     } else if (check->status == CHECK_PASSED) {
-        check_fail(check,
-                   diagnosis_new(NOT_ANSWERED ", and what is right here was given, or is another "
-                                              "answer's work"));
+        check_fail(check, diagnosis_silent(SILENCE_UNANSWERED,
+                                           "%s, and what is right here was given, or is another "
+                                           "answer's work",
+                                           unanswered));
     } else {
-        check_tell(check, diagnosis_new(NOT_ANSWERED));
+        check_tell(check, diagnosis_silent(SILENCE_UNANSWERED, "%s", unanswered));
     }
-    check->is_unanswered = 1;
     check->is_explained = untried != NULL;
 }
 
@@ -184,8 +185,9 @@ static void leave_kernels(Grading *grading)
         if (check->status == CHECK_PASSED && is_of_kernel(grading, check)) {
             check->status = CHECK_NOT_RUN;
             check->points = 0;
-            check_tell(check, diagnosis_new("not tried beside the host files that are handed out: "
-                                            "there was no time left"));
+            check_tell(check, diagnosis_silent(SILENCE_UNTRIED,
+                                               "not tried beside the host files that are handed "
+                                               "out: there was no time left"));
         }
     }
 }

@@ -305,7 +305,7 @@ static Diagnosis describe_missing(const Variant *variant, const char *task)
     const char *beside =
         variant->has_only_kernels ? " beside the host files that are handed out" : "";
     if (variant->build_log != NULL) {
-        return diagnosis_new("not tried: it does not compile%s", beside);
+        return diagnosis_silent(SILENCE_UNTRIED, "not tried: it does not compile%s", beside);
     }
     if (variant->trouble == NULL) {
         return diagnosis_new("no answer: the program said nothing about it");
@@ -315,9 +315,9 @@ static Diagnosis describe_missing(const Variant *variant, const char *task)
                              place->where[0] ? " (" : "", place->where, place->with[0] ? ", " : "",
                              place->with, place->where[0] ? ")" : "");
     }
-    return diagnosis_new("%s: " PROGRAM_HAD_ENDED "%s%s",
-                         ended_elsewhere(variant, task) ? "not reached" : "no answer",
-                         place->where[0] ? " " : " before", place->where);
+    return diagnosis_silent(SILENCE_ENDED, "%s: the program had ended%s%s",
+                            ended_elsewhere(variant, task) ? "not reached" : "no answer",
+                            place->where[0] ? " " : " before", place->where);
 }
 
 // Note what a verdict says about the task of a check.

@@ -32,6 +32,8 @@ for path in labs/*/; do
 done
 [ -n "$lab" ] || fail "LAB: found \"$2\", expected the number or name of a lab"
 number=${lab%%-*}
+manifest=labs/$lab/lab.json
+command -v jq >/dev/null || fail "jq is not here: install the package jq"
 git log -1 >/dev/null 2>&1 || fail "here is no git checkout: only tracked files go into a handout"
 
 stage=$(mktemp -d "${TMPDIR:-/tmp}/handout-XXXXXX")
@@ -85,7 +87,8 @@ if [ -n "$(find "labs/$lab" -name '*.cl')" ]; then
     git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk | copy
 fi
 mkdir -p "$root/tests/skeletons/$lab"
-for file in $(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" | tr -d '",'); do
+files=$(jq -er '.files[]' "$manifest")
+for file in $files; do
     cp "$stage/cut/labs/$lab/$file" "$root/tests/skeletons/$lab/"
 done
 
@@ -110,12 +113,12 @@ echo "$seconds" | awk '{ for (most = 2; most < $1; most *= 4); print most }' >"$
 
 # ---- Its README -------------------------------------------------------------------------------
 
-title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "labs/$lab/lab.json")
+title=$(jq -er .title "$manifest")
 {
     # The first lab has no solutions of others.
     [ -d "$root/solutions" ] && none= || none='/labs before/d'
-    files=$(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "labs/$lab/lab.json" |
-        sed "s|\"\([^\"]*\)\"|\`labs/$lab/\1\`|g; s/\(.*\), /\1 and /")
+    files=$(jq -er --arg lab "$lab" '.files | map("`labs/\($lab)/\(.)`") |
+        [(.[:-1] | join(", ") | select(. != "")), .[-1]] | join(" and ")' "$manifest")
     # Lab 10 has a page for each of its parts.
     grep -q '^## Tasks$' "labs/$lab/README.md" && tasks=tasks || tasks=which-part
     sed -e "$none" -e "s/@TASKS@/$tasks/" -e "s|@FILES@|$files|g" -e "s/@LAB@/$lab/g" -e "s/@NUMBER@/$number/g" -e "s|@TITLE@|$title|g" tests/handout/README.in

@@ -104,6 +104,18 @@ check "the page runs nothing" grep -q "default-src 'none'" "$first/class.html"
 # shellcheck disable=SC2016 # for the inner shell
 check "every picture and report of the page is there" sh -c 'cd "$1" &&
     grep -o "\(href\|src\)=\"students/[^\"]*" class.html | cut -d "\"" -f 2 | xargs ls -d' - "$first"
+# What is decided by a result is in its fields: whatever the words of a message are, "not answered" is no fault.
+cp -R "$first" "$scratch/words"
+for results in "$scratch"/words/students/*/results.json; do
+    jq '.checks[].message |= if . == "" then . else "in other words" end' "$results" >"$scratch/results.json"
+    cp "$scratch/results.json" "$results"
+done
+check "a gradebook of other words" "$build/tools/gradebook" write --nothing blank "$scratch/words"
+# section FOLDER ID: of the page of a class.
+section() { sed -n "/<h2 [^>]*id=\"$2\"/,/<h2 [^>]*id=/p" "$1/class.html"; }
+check "the answers are counted as before" test "$(section "$scratch/words" tasks)" = "$(section "$first" tasks)"
+check "what was not answered is no fault" test "$(section "$scratch/words" failures | grep -o '<code class="soft">[^<]*')" = \
+    "$(section "$first" failures | grep -o '<code class="soft">[^<]*')"
 check "nothing of the kill is left" test -z "$(ls -A "$TMPDIR")$(find "$first/students" -name '*.new')"
 
 heart_ends
@@ -238,25 +250,37 @@ check "what is no plain name is not taken" grep -q '"name": "submission_12"' "$s
 all=$class
 class=$scratch/nothing
 mkdir -p "$class/Grace Hopper_2_assignsubmission_onlinetext_" "$class/Joan Clarke_3_assignsubmission_file_" \
-    "$class/Mary Shaw_4_assignsubmission_onlinetext_" "$class/Mary Shaw_4_assignsubmission_file_"
+    "$class/Mary Shaw_4_assignsubmission_onlinetext_" "$class/Mary Shaw_4_assignsubmission_file_" \
+    "$class/Käthe Müller_6_assignsubmission_file_" "$class/Emmy Noether_7_assignsubmission_file_" \
+    "$class/Lise Meitner_8_assignsubmission_file_"
 printf 'Rar!\032\007' >"$class/Ada Lovelace_1_assignsubmission_file_lab.rar"
 echo "<p>my answer</p>" >"$class/Grace Hopper_2_assignsubmission_onlinetext_/onlinetext.html"
 cp solutions/01-naive-2d/overlaps_N_Nearer.cl "$class/Joan Clarke_3_assignsubmission_file_/"
 echo "see the file" >"$class/Mary Shaw_4_assignsubmission_onlinetext_/onlinetext.html"
 cp solutions/$lab/*.c* "$class/Mary Shaw_4_assignsubmission_file_"
+printf '%%PDF' >"$scratch/Lösung Übung.pdf"
+zip -q -j "$class/Käthe Müller_6_assignsubmission_file_/für 00.zip" "$scratch/Lösung Übung.pdf"
+for file in $(jq -r '.files[]' solutions/$lab/lab.json); do
+    printf '\n \n' >"$class/Emmy Noether_7_assignsubmission_file_/$file"
+done
+# An empty zip has the mark of its end only.
+{ printf 'PK\005\006' && head -c 18 /dev/zero; } >"$class/Lise Meitner_8_assignsubmission_file_/00.zip"
 cat >"$scratch/nothing.csv" <<'END'
-Identifier,"Full name",Grade
-"Participant 1","Ada Lovelace",
-"Participant 2","Grace Hopper",
-"Participant 3","Joan Clarke",
-"Participant 4","Mary Shaw",
-"Participant 5","Jean Jennings",
+Identifier,"Full name",Grade,"Feedback comments"
+"Participant 1","Ada Lovelace",,
+"Participant 2","Grace Hopper",,
+"Participant 3","Joan Clarke",,
+"Participant 4","Mary Shaw",,
+"Participant 5","Jean Jennings",,
+"Participant 6","Käthe Müller",,
+"Participant 7","Emmy Noether",,
+"Participant 8","Lise Meitner",,
 END
 without=$scratch/nothing.out
-check "an archive that is none, a text, another lab's file" exits 0 run "$without" --moodle "$scratch/nothing.csv"
-check "are counted" said "1 of 5 graded and entered; 1 without submission; 0 passed over; 3 with nothing of this lab; 1 earlier attempts; 0 to be decided by you"
-for name in "Ada Lovelace" "Grace Hopper" "Joan Clarke"; do
-    check "$name: no zero, but a blank" grep -q "^\"Participant .\",\"$name\",\"\",\"$name\",\".\",1,\"nothing of this lab\",,," \
+check "an archive that is none, a text, other files, files with nothing in them, an empty archive" exits 0 run "$without" --moodle "$scratch/nothing.csv"
+check "are counted" said "1 of 8 graded and entered; 1 without submission; 0 passed over; 6 with nothing of this lab; 1 earlier attempts; 0 to be decided by you"
+for name in "Ada Lovelace" "Grace Hopper" "Joan Clarke" "Käthe Müller" "Emmy Noether" "Lise Meitner"; do
+    check "$name: no zero, but a blank" grep -q "^\"Participant .\",\"$name\",\"\",.*,\"$name\",\".\",1,\"nothing of this lab\",,," \
         "$without/gradebook.csv"
 done
 check "a text beside files is another attempt" grep -q '^"Participant 4","Mary Shaw","100.00",' "$without/gradebook.csv"
@@ -264,11 +288,17 @@ check "a text beside files is another attempt" grep -q '^"Participant 4","Mary S
 check "they stand first on the page" sh -c 'tr "\n" " " <"$1" | grep -q "</header> <h2 class=\"section\" id=\"nothing\">"' \
     - "$without/class.html"
 check "with what was found instead" grep -q "RAR archive" "$without/class.html"
+umlauts='the archive holds &quot;Lösung Übung.pdf&quot;'
+check "umlauts of a file's name are on the page" grep -qF "$umlauts" "$without/class.html"
+check "in the report" grep -qF "$umlauts" "$without"/students/k*/report.html
+check "in the comment" grep -qF '"nothing of this lab was found: the archive holds ""Lösung Übung.pdf"""' \
+    "$without/upload.csv"
+check "and in the terminal" said 'Käthe Müller: the archive holds "Lösung Übung.pdf"'
 check "the page is well-formed" xmllint --html --noout "$without/class.html"
-check "each result has a field for it" test "$(grep -l '"nothing_of_lab": true' "$without"/students/*/results.json | wc -l)" -eq 4
+check "each result has a field for it" test "$(grep -l '"nothing_of_lab": true' "$without"/students/*/results.json | wc -l)" -eq 7
 before=$(n_graded "$without")
 check "NOTHING=0" exits 0 run "$without" --moodle "$scratch/nothing.csv" --nothing 0
-check "is a zero in the list" grep -q '^"Participant 1","Ada Lovelace","0.00","Ada Lovelace","1",1,"nothing of this lab",0,100,' \
+check "is a zero in the list" grep -q '^"Participant 1","Ada Lovelace","0.00",.*,"Ada Lovelace","1",1,"nothing of this lab",0,100,' \
     "$without/gradebook.csv"
 check "and grades nothing again" test "$(n_graded "$without")" -eq "$before"
 check "anything else is refused" exits 2 run "$without" --nothing maybe

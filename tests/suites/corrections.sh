@@ -158,6 +158,26 @@ check "is what the line says, and its tasks keep their points" \
 check "or changes by it" test "$(value 23 .score)" = $((bob - 3))
 check "the page says so" grep -q '>score: 100 to 0 (-100)<' "$out/class.html"
 
+# What went wrong first, where a second fault is behind it.
+results=$(echo "$out"/students/bob-*/results.json)
+jq '(.checks[] | select(.id == "gradient-padding")) |= (.points = 0 | .status = "failed" | .message = "it does") |
+    (.tasks[] | select(.id == "gradient")).points -= 10 | .score -= 10' "$results" >"$scratch/results.json"
+cp "$scratch/results.json" "$results"
+changes 23,gradient-picture,30,,
+check "a check that gets its points" exits 0 corrected
+check "is no fault any more: the next one is" grep -q \
+    '^"Participant 23",.*First fault: Nothing is written outside the picture: it does' "$out/upload.csv"
+for change in "23,gradient,40,," "23,score,100,,"; do
+    changes "$change"
+    check "$change" exits 0 corrected
+    check "$change: 100 points have no first fault in the comment" test "$(grep -c 'First fault' "$out/upload.csv")" -eq 0
+    check "$change: nor in the gradebook" test "$(value 23 '.score, .first_fault')" = "100 null"
+    check "$change: nor in the table of the page" test \
+        "$(grep -A 1 '<td class="first">' "$out/class.html" | grep -c 'colour\|outside')" -eq 0
+done
+check "what went wrong stays on the page, for the lecture" grep -q '<b>Every pixel has its colour</b>' "$out/class.html"
+check "graded anew" exits 0 corrected --again 1
+
 # What was not graded has no points that could be corrected.
 mkdir "$class/Dora Roe_25_assignsubmission_file_"
 changes 22,gradient,1,, 25,gradient,+1,late,

@@ -54,6 +54,21 @@ same_bytes() {
     cmp "$scratch/first/$1.tar.gz" "$scratch/second/$1.tar.gz"
 }
 
+# A lab.json laid out in another way is the same: nothing but itself differs in the handout. laid_out LAB OPTION...
+laid_out() {
+    lab=$1 copy=$scratch/laid-out git=$(git rev-parse --absolute-git-dir)
+    shift
+    rm -rf "$copy" "$scratch/third" "$scratch/unpacked"
+    mkdir "$copy" "$scratch/unpacked" "$scratch/unpacked/first" "$scratch/unpacked/third"
+    git ls-files -z | tar --null --files-from=- -cf - | tar -xf - -C "$copy"
+    for manifest in labs/*/lab.json solutions/*/lab.json; do jq "$@" . "$manifest" >"$copy/$manifest"; done
+    (cd "$copy" && GIT_DIR=$git GIT_WORK_TREE=$copy pack "$lab" "$scratch/third") || return 1
+    for folder in first third; do tar -xzf "$scratch/$folder/$lab.tar.gz" -C "$scratch/unpacked/$folder"; done
+    rm "$scratch"/unpacked/*/"$lab"/labs/*/lab.json
+    rm -rf "$scratch"/unpacked/*/"$lab"/solutions/*/lab.json
+    diff -r "$scratch/unpacked/first" "$scratch/unpacked/third"
+}
+
 # Every file but the README, the skeleton and the judge's programs is one of the course, and none is from
 # this lab's solution or later labs, nor from the judge's sources.
 only_its_files() {
@@ -263,6 +278,10 @@ judge_lines >"$scratch/judge_lines"
 for lab in $labs; do
     later=
     check "$lab: the same bytes twice" same_bytes "$lab"
+    for layout in --indent\ 7 -c; do
+        # shellcheck disable=SC2086 # an option and its value
+        check "$lab: nor does the layout of lab.json change it ($layout)" laid_out "$lab" $layout
+    done
     tar -xzf "$scratch/first/$lab.tar.gz" -C "$scratch"
     check "$lab: its files and no others" only_its_files "$scratch/$lab" "$lab"
     check "$lab: no line of a solution" no_solution "$scratch/$lab" "$lab"

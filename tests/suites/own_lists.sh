@@ -82,6 +82,24 @@ for title in "Handed in" abgegeben; do
     check "$title: the time is known" test "$(jq '[.students[].late.handed_in // empty] | length' "$class.out/gradebook.json")" -eq 1
 done
 
+# ---- The form that goes back --------------------------------------------------------------------
+
+# form TITLE PRINTF...: does a list that printf makes so come back with the grade, and else the same but for quotes?
+form() {
+    # shellcheck disable=SC2059 # the format is what is tried
+    printf "$2" '' >"$class.csv"
+    # shellcheck disable=SC2059
+    printf "$2" 100.00 >"$scratch/expected"
+    check "$1: graded" listed 1
+    # shellcheck disable=SC2016 # for the inner shell
+    check "$1: goes back as it came" sh -c 'tr -d "\"" <"$1" | cmp - "$2"' - "$class.out/upload.csv" "$scratch/expected"
+}
+class=$scratch/forms
+mkdir -p "$class/Jürgen Müller" "$class/nobody"
+form "a German Excel's list" '\357\273\277Name;Bewertung;Seminar\r\nJürgen Müller;%s;A, B\r\n'
+form "with sep=;" 'sep=;\nName;Bewertung\nJürgen Müller;%s\n'
+form "tabs" 'Name\tBewertung\nJürgen Müller\t%s\n'
+
 # ---- The university's number --------------------------------------------------------------------
 
 # numbered ENTRY NAME NUMBER: do CHANGES and WHO find the student of this entry and name by the number?

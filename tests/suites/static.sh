@@ -115,6 +115,12 @@ if git ls-files >/dev/null 2>&1; then
     ok $? "every path in the repository is made of A-Z, a-z, 0-9, '.', '_', '/' and '-'" "$odd"
 fi
 
+# The order and the lines of a JSON file are nobody's promise.
+readers=$(grep -rnE '(^|[|({ ])(sed|awk|grep|tail|head|cut) [^|#]*[.]json' common tests/class tests/copies tests/demo.sh tests/handout \
+    tests/systems tests/tools --include='*.sh' || true)
+[ -z "$readers" ]
+ok $? "scripts read JSON with jq" "$readers"
+
 strays=$(find common kernels labs solutions slides-notes tests -name '*.o' -o -name '*.orig' -o -name '*~' -o -name 'a.out')
 [ -z "$strays" ]
 ok $? "nothing built beside a source" "$strays"

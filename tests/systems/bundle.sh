@@ -64,8 +64,8 @@ copy_course() {
 # fill NAME...: replace the @WORDS@ in files of the stage.
 where=
 fill() {
-    title=$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "solutions/$lab/lab.json" | sed 's/[&\\/]/\\&/g')
-    files=$(sed -n 's/^  "files": \[\(.*\)\],$/\1/p' "solutions/$lab/lab.json" | tr -d ' "')
+    title=$(jq -er .title "solutions/$lab/lab.json" | sed 's/[&\\/]/\\&/g')
+    files=$(jq -er '.files | join(",")' "solutions/$lab/lab.json")
     # An identifier of the question that never changes, in the form of a UUID (version 8: our own).
     uuid=$(printf '%s' "$lab" | sha1sum |
         sed 's/^\(.\{8\}\)\(.\{4\}\).\(.\{3\}\).\(.\{3\}\)\(.\{12\}\).*/\1-\2-8\3-8\4-\5/')

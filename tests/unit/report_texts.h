@@ -11,9 +11,6 @@
 #include <string.h>
 #include <unistd.h>
 
-// What stands for a byte that cannot be shown: U+FFFD.
-#define UNKNOWN "\xEF\xBF\xBD"
-
 // The whole of a stream or file, with its length; free() it.
 static inline char *stream_text(FILE *file)
 {

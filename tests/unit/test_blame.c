@@ -144,7 +144,7 @@ Test(blame, what_is_not_answered_does_not_wait)
 {
     const CheckStatus statuses[] = {CHECK_FAILED, CHECK_PASSED, CHECK_FAILED};
     Result result = result_of(statuses, NULL);
-    result.checks[2].is_unanswered = 1;
+    result.checks[2].diagnosis.silence = SILENCE_UNANSWERED;
     blame_others(checks, &result);
     cr_expect_eq(result.checks[2].status, CHECK_FAILED);
     cr_expect_str_eq(result.checks[2].message, "found 1, expected 2");

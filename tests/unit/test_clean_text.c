@@ -1,6 +1,8 @@
 // common/clean_text: whatever a student's code put into a message, a terminal and a page can show
 // it.
 #include "clean_text.h"
+#include "line_reader.h"
+#include "message.h"
 #include "report_texts.h"
 
 Test(clean_text, keeps_what_can_be_shown_and_replaces_the_rest)
@@ -11,22 +13,23 @@ Test(clean_text, keeps_what_can_be_shown_and_replaces_the_rest)
         {"\xF0\x9F\x98\x80", "\xF0\x9F\x98\x80"},
         {"two\n\tlines\n\n", "two\n\tlines"},
         {"two\r\nlines", "two\nlines"},
-        {"back\r", "back" UNKNOWN},
-        {"\033[2Jgone", UNKNOWN "[2Jgone"},
-        {"\x7F\x08\x07", UNKNOWN UNKNOWN UNKNOWN},
+        {"back\r", "back\\x0D"},
+        {"\033[2Jgone", "\\x1B[2Jgone"},
+        {"\x7F\x08\x07", "\\x7F\\x08\\x07"},
         {"\xC2\x9B"
          "2J",
-         UNKNOWN "2J"},  // C1 control sequence introducer
+         "\\xC2\\x9B2J"},  // C1 control sequence introducer
         {"a\xE2\x80\xAE"
          "b",
-         "a" UNKNOWN "b"},  // right-to-left override
-        {"\xE2\x80\x8B\xEF\xBB\xBF\xF3\xA0\x81\x81", UNKNOWN UNKNOWN UNKNOWN},  // not seen
-        {"\xC2\xAC\xF3\xA0\x82\x80", "\xC2\xAC\xF3\xA0\x82\x80"},               // beside them
-        {"\xFF\xFE", UNKNOWN UNKNOWN},
-        {"\xC3", UNKNOWN},                                      // broken off
-        {"\xC0\xAF", UNKNOWN UNKNOWN},                          // longer than needed
-        {"\xED\xA0\x80", UNKNOWN UNKNOWN UNKNOWN},              // half of a surrogate pair
-        {"\xF4\x90\x80\x80", UNKNOWN UNKNOWN UNKNOWN UNKNOWN},  // beyond U+10FFFF
+         "a\\xE2\\x80\\xAEb"},  // right-to-left override
+        {"\xE2\x80\x8B\xEF\xBB\xBF\xF3\xA0\x81\x81",
+         "\\xE2\\x80\\x8B\\xEF\\xBB\\xBF\\xF3\\xA0\\x81\\x81"},    // not seen
+        {"\xC2\xAC\xF3\xA0\x82\x80", "\xC2\xAC\xF3\xA0\x82\x80"},  // beside them
+        {"\xFF\xFE", "\\xFF\\xFE"},
+        {"\xC3", "\\xC3"},                             // broken off
+        {"\xC0\xAF", "\\xC0\\xAF"},                    // longer than needed
+        {"\xED\xA0\x80", "\\xED\\xA0\\x80"},           // half of a surrogate pair
+        {"\xF4\x90\x80\x80", "\\xF4\\x90\\x80\\x80"},  // beyond U+10FFFF
         {"", ""},
         {NULL, ""},
     };
@@ -40,7 +43,34 @@ Test(clean_text, keeps_what_can_be_shown_and_replaces_the_rest)
     free(line);
 }
 
-// `n` times `piece`; free() it.
+// message_show(): what a student called a file.
+Test(clean_text, a_name_keeps_its_letters)
+{
+    char shown[16];
+    cr_expect_str_eq(message_show("L\xC3\xB6sung \xC3\x9C.pdf", shown, sizeof shown),
+                     "L\xC3\xB6sung \xC3\x9C.pdf");
+    cr_expect_str_eq(message_show("a\xFF\nb", shown, sizeof shown), "a\\xFF\\x0Ab");
+    // Cut between characters, on both sides.
+    cr_expect_str_eq(
+        message_show("\xE2\x82\xAC\xE2\x82\xAC\xE2\x82\xAC\xE2\x82\xAC\xE2\x82\xAC\xE2\x82\xAC",
+                     shown, sizeof shown),
+        "\xE2\x82\xAC\xE2\x82\xAC...\xE2\x82\xAC\xE2\x82\xAC");
+}
+
+// line_quote(): what a file holds, cut between characters.
+Test(clean_text, a_quotation_keeps_its_letters)
+{
+    char quoted[LINE_QUOTE_SIZE], found[64] = "", expected[64] = "";
+    cr_expect_str_eq(line_quote("H\xC3\xB6he", quoted), "\"H\xC3\xB6he\"");
+    for (int i = 0; i < 14; i++) {
+        strcat(found, "\xE2\x82\xAC");
+    }
+    snprintf(expected, sizeof expected, "\"%.39s...\"", found);
+    cr_expect_str_eq(line_quote(found, quoted), expected);
+    memset(found, '\xFF', LINE_QUOTE_BYTES + 1);
+    found[LINE_QUOTE_BYTES + 1] = '\0';
+    cr_expect_eq(strlen(line_quote(found, quoted)), 4 * LINE_QUOTE_BYTES + 5);
+}
 
 Test(clean_text, shortens_a_long_message_in_the_middle)
 {

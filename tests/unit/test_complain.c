@@ -16,11 +16,11 @@ Test(complain, names_are_shown_in_one_line)
         {"a.csv", "a.csv"},
         {"two\nlines", "two lines"},
         {"tab\there", "tab here"},
-        {"\033[2Jgone", "\xEF\xBF\xBD[2Jgone"},
-        {"back\rward", "back\xEF\xBF\xBDward"},
+        {"\033[2Jgone", "\\x1B[2Jgone"},
+        {"back\rward", "back\\x0Dward"},
         {"K\xC3\xA4se", "K\xC3\xA4se"},
-        {"broken\xFF", "broken\xEF\xBF\xBD"},
-        {"turned\xE2\x80\xAE", "turned\xEF\xBF\xBD"},
+        {"broken\xFF", "broken\\xFF"},
+        {"turned\xE2\x80\xAE", "turned\\xE2\\x80\\xAE"},
     };
     for (size_t i = 0; i < sizeof PAIRS / sizeof PAIRS[0]; i++) {
         char expected[128];

@@ -284,7 +284,7 @@ Test(molecule_pdb, pdb_faults)
         {TEXT("ATOM      2  CA  ALA A   1      -1.000     1e7   3.000\n"),
          "1: y: found \"1e7\", expected a number from -1000000 to 1000000"},
         {TEXT("ATOM      2  CA  ALA A   1      -1.000   2.500 \t 3.000\n"),
-         "1: z: found \"? 3.000\", expected a finite number"},
+         "1: z: found \"\\x09 3.000\", expected a finite number"},
         {TEXT(CA_ATOM "REMARK \0\n"), "2: found a NUL byte, expected text"},
     };
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {

@@ -131,7 +131,7 @@ Test(molecule_xyz, xyz_faults)
         {TEXT("1\n\nC 0,5 0 0\n"), "3: x: found \"0,5\", expected a finite number"},
         {TEXT("1\n\nC 0 0 1000000.5\n"),
          "3: z: found \"1000000.5\", expected a number from -1000000 to 1000000"},
-        {TEXT("1\n\nC x\033 y z\n"), "3: x: found \"x?\", expected a finite number"},
+        {TEXT("1\n\nC x\033 y z\n"), "3: x: found \"x\\x1B\", expected a finite number"},
         {TEXT("1\n\nC 0 \0 0 0\n"), "3: found a NUL byte, expected text"},
         {TEXT("1\n\0\nC 0 0 0\n"), "2: found a NUL byte, expected text"},
     };
@@ -157,6 +157,6 @@ Test(molecule_xyz, unknown_elements_are_pink_and_named_once)
                       "8\n\nX1 0 0 0\nX2 0 0 0\nX3 0 0 0\nX4 0 0 0\n\033 0 0 0\nX6 0 0 0\n"
                       "X7 0 0 0\nX1 0 0 0\n",
                       "molecule: warning: drew 8 atoms of unknown elements in pink: \"X1\", "
-                      "\"X2\", \"X3\", \"X4\", \"?\" and others\n");
+                      "\"X2\", \"X3\", \"X4\", \"\\x1B\" and others\n");
     scene3d_free(&scene);
 }

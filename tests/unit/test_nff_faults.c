@@ -74,9 +74,9 @@ static const struct {
     {TEXT(VIEW "s 1 2 3 4abc\n"),
      "8: radius: found \"4abc\", expected a number from 1e-18 to 1e18, or its negative"},
     {TEXT(VIEW "s 1 2 3 \033[31m4\n"),
-     "8: radius: found \"?[31m4\", expected a number from 1e-18 to 1e18, or its negative"},
+     "8: radius: found \"\\x1B[31m4\", expected a number from 1e-18 to 1e18, or its negative"},
     {TEXT(VIEW "s 1 2 3 \xFF\n"),
-     "8: radius: found \"?\", expected a number from 1e-18 to 1e18, or its negative"},
+     "8: radius: found \"\\xFF\", expected a number from 1e-18 to 1e18, or its negative"},
     {TEXT(VIEW "s 1 2 3 11111111111111111111111111111111111111111111111111\n"),
      "8: radius: found \"1111111111111111111111111111111111111111...\", expected a "
      "number from 1e-18 to 1e18, or its negative"},
@@ -130,7 +130,7 @@ static const struct {
     {TEXT("\xFF\xFEv\0\n\0"), "1: found text in UTF-16, expected ASCII or UTF-8: save it as such"},
     {TEXT("\xFE\xFF\0v\0\n"), "1: found text in UTF-16, expected ASCII or UTF-8: save it as such"},
     {TEXT("v\0\n\0"), "1: found a NUL byte, expected text"},
-    {TEXT("\x89PNG\r\n\x1a\n"), "1: found \"?PNG\", expected b, v, l, f, s, c, p, pp or #"},
+    {TEXT("\x89PNG\r\n\x1a\n"), "1: found \"\\x89PNG\", expected b, v, l, f, s, c, p, pp or #"},
 };
 
 Test(nff_faults, bad_text_gives_one_message_with_its_line)

@@ -33,9 +33,9 @@ Test(report_json, reads_back_with_every_field)
         "overlaps_N_Nearer", "points", 25, "max_points", 25, "status", "passed", "message", "",
         "hint", "", "id", "overlaps-boundary", "title", "The boundary belongs to it", "task",
         "overlaps_N_Nearer", "points", 0, "max_points", 15, "status", "failed", "message",
-        "\"quoted\" \\ " UNKNOWN " " UNKNOWN " end", "hint", "Compare the squares.", "id",
-        "picture", "title", "A random scene", "task", "implicit2DRenderer", "points", 0,
-        "max_points", 60, "status", "not-run", "message", "", "hint", "");
+        "\"quoted\" \\ \\x01 \\xFF end", "hint", "Compare the squares.", "id", "picture", "title",
+        "A random scene", "task", "implicit2DRenderer", "points", 0, "max_points", 60, "status",
+        "not-run", "message", "", "hint", "");
     cr_assert_not_null(expected);
     cr_expect(json_equal(found, expected), "found %s", text);
     json_decref(expected);
@@ -107,6 +107,27 @@ Test(graded, reads_the_known_mistake_apart)
     graded_free(&graded);
     free(text);
     result_free(&result);
+}
+
+// Why a check says nothing of the answer, and where it was seen, likewise.
+Test(graded, reads_apart_why_nothing_is_said)
+{
+    static const char *const words[N_SILENCES] = {NULL, "unanswered", "untried", "ended"};
+    for (Silence silence = SILENCE_NONE; silence < N_SILENCES; silence++) {
+        Result result = result_make("");
+        Graded graded;
+        check_fail(&result.checks[1], diagnosis_silent(silence, "some words"));
+        result.checks[1].diagnosis.evidence =
+            silence == SILENCE_NONE ? EVIDENCE_PICTURE : EVIDENCE_VALUES;
+        char *text = file_report(report_json, &result);
+        cr_assert_eq(graded_load_text(text, &graded), 0);
+        const char *read = graded.checks[1].silent;
+        cr_expect(read == words[silence] || (read != NULL && strcmp(read, words[silence]) == 0));
+        cr_expect_eq(strstr(text, "\"in_picture\": true") != NULL, silence == SILENCE_NONE);
+        graded_free(&graded);
+        free(text);
+        result_free(&result);
+    }
 }
 
 Test(graded, reads_what_the_grader_wrote)

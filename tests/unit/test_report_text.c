@@ -117,7 +117,7 @@ Test(report_text, ends_with_the_figure_of_a_race_where_there_is_one)
 Test(report_text, shows_what_is_not_answered_as_not_tried)
 {
     Result result = result_make("not answered yet");
-    result.checks[1].is_unanswered = 1;
+    result.checks[1].diagnosis.silence = SILENCE_UNANSWERED;
     char *texts[] = {text_report(&result, 0), file_report(report_html, &result),
                      file_report(report_json, &result)};
     expect_part(texts[0], "   --    overlaps-boundary ");

@@ -286,6 +286,6 @@ TEST_EACH(an_absent_mount_is_told_at_the_start)
     command.mounts[0].outside = "absent\n\033[2J";
     capture_begin(2);
     SandboxRun *run = sandbox_start(&command);
-    expect_one_message(capture_end(2), "sandbox: absent \xEF\xBF\xBD[2J: No such file");
+    expect_one_message(capture_end(2), "sandbox: absent \\x1B[2J: No such file");
     cr_expect_null(run);
 }

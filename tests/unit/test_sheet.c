@@ -79,7 +79,7 @@ Test(sheet_text, signs_between_cells)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         SheetText sheet;
         cr_expect_null(find(rows[i].bytes, &sheet), "%s", rows[i].bytes);
-        cr_expect_eq(sheet.delimiter, rows[i].delimiter, "%s", rows[i].bytes);
+        cr_expect_eq(sheet.form.delimiter, rows[i].delimiter, "%s", rows[i].bytes);
         cr_expect_eq(strncmp(sheet.text, rows[i].rest, strlen(rows[i].rest)), 0, "%s",
                      rows[i].bytes);
         cr_expect_eq(sheet.text + sheet.length, rows[i].bytes + strlen(rows[i].bytes));

@@ -36,14 +36,6 @@ Test(stage, gives_a_plain_mode_whatever_the_students_and_the_umask)
     cr_expect_eq(status.st_mode & 07777, 0644);
 }
 
-Test(stage, takes_an_empty_file)
-{
-    file_write("from/a.cl", "", 0);
-    char *message;
-    cr_expect_eq(stage("a.cl", &message), 0);
-    cr_expect_eq(access("to/a.cl", F_OK), 0);
-}
-
 Test(stage, replaces_a_link_to_the_original_without_writing_through_it)
 {
     file_write("from/a.cl", "student", 7);
@@ -163,7 +155,7 @@ Test(stage, refuses_a_file_nobody_may_read)
 Test(stage, takes_the_largest_file_and_refuses_one_byte_more)
 {
     static char text[STAGE_MAX_FILE_BYTES + 1];
-    memset(text, ' ', sizeof text);
+    memset(text, ';', sizeof text);
     file_write("from/a.cl", text, sizeof text - 1);
     file_write("from/b.cl", text, sizeof text);
     char *message;
@@ -201,6 +193,9 @@ Test(stage, refuses_what_is_no_text_and_names_it)
         {"j.cl", "%PDF-1.4", 8, "found a PDF document, "},
         {"k.cl", "Rar!\x1A\x07", 6, "found a RAR archive, "},
         {"l.cl", "7z\xBC\xAF\x27\x1C", 6, "found a 7-Zip archive, "},
+        {"m.cl", "", 0, "found an empty file, which counts as not handed in"},
+        {"n.cl", "\xEF\xBB\xBF", 3, "found an empty file, "},
+        {"o.cl", " \t\r\n\n", 5, "found an empty file, "},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         char path[16];

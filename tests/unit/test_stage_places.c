@@ -257,6 +257,18 @@ Test(stage_places, refuses_too_many_equally_good_places)
     free(message);
 }
 
+Test(stage_places, says_what_counts_no_more_than_an_empty_file)
+{
+    path_write("labs/03-x/a.cl");
+    file_write("from/a.cl", "\n", 1);
+    char *message;
+    cr_assert_eq(lab_stage(1, &message), 1);
+    const char *second = strchr(message, '\n');
+    cr_assert_not_null(second, "%s", message);
+    cr_expect_str_eq(second + 1, "a.cl: another one, which does not count, is in \"labs/03-x\"");
+    free(message);
+}
+
 Test(stage_places, shows_names_that_are_fit_for_a_terminal)
 {
     char longest[256];
@@ -266,7 +278,7 @@ Test(stage_places, shows_names_that_are_fit_for_a_terminal)
     equal_write(longest, "two");
     char *message = NULL;
     cr_assert_eq(lab_stage(1, &message), 1);
-    cr_expect_not_null(strstr(message, "\"a?b?[2J??\""), "%s", message);
+    cr_expect_not_null(strstr(message, "\"a\\x0Ab\\x1B[2J\xc3\x9c\""), "%s", message);
     cr_expect_not_null(strstr(message, "\"xxxx"), "%s", message);
     cr_expect_not_null(strstr(message, "x...x"), "%s", message);
     cr_expect_lt(strlen(message), 300);

@@ -112,7 +112,7 @@ Test(stats, broken_text_is_mended)
     Stats stats = {0};
     stats_text(&stats, "scene", "caf\xe9.csv");
     json_t *figures = report_to_json(&stats);
-    cr_expect_str_eq(json_string_value(json_object_get(figures, "scene")), "caf?.csv");
+    cr_expect_str_eq(json_string_value(json_object_get(figures, "scene")), "caf\\xE9.csv");
     json_decref(figures);
     stats_free(&stats);
 }

@@ -94,8 +94,9 @@ Test(unpack, lists_what_is_there_where_a_file_is_not)
     }
     pack_end(writer);
     cr_assert_eq(packed_unpack(n_packed), 0, "%s", message);
-    cr_expect_str_eq(message, "the archive holds \"x/0?.txt\", \"x/1?.txt\", \"x/2?.txt\", "
-                              "\"x/3?.txt\", \"x/4?.txt\", \"x/5?.txt\" and 3 more");
+    cr_expect_str_eq(message,
+                     "the archive holds \"x/0\\x0A.txt\", \"x/1\\x0A.txt\", \"x/2\\x0A.txt\", "
+                     "\"x/3\\x0A.txt\", \"x/4\\x0A.txt\", \"x/5\\x0A.txt\" and 3 more");
 }
 
 // ---- Which copies are written -------------------------------------------------------------------

@@ -27,7 +27,7 @@ void contents_note(Contents *contents, const char *path)
     }
     if (archive_stem_length(path) > 0) {
         const char *slash = strrchr(path, '/');
-        snprintf(contents->inner, sizeof contents->inner, "%s", slash != NULL ? slash + 1 : path);
+        message_show(slash != NULL ? slash + 1 : path, contents->inner, sizeof contents->inner);
     }
     if (contents->n_files < CONTENTS_MAX_SHOWN) {
         message_show(path, contents->shown[contents->n_files], MESSAGE_SHOWN_BYTES);

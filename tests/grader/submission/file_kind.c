@@ -1,6 +1,7 @@
 // Files that are no archives, recognised by how they begin (see file_kind.h).
 #include "file_kind.h"
 
+#include <ctype.h>
 #include <string.h>
 
 static int begins(const unsigned char *bytes, size_t n_bytes, const char *start)
@@ -30,6 +31,16 @@ static int is_office(const unsigned char *bytes, size_t n_bytes)
             begins(bytes + NAME_AT, n_bytes - NAME_AT, type));
 }
 
+int file_is_blank(const unsigned char *bytes, size_t n_bytes)
+{
+    static const char mark[] = "\xEF\xBB\xBF";
+    size_t i = begins(bytes, n_bytes, mark) ? strlen(mark) : 0;
+    while (i < n_bytes && isspace(bytes[i])) {
+        i++;
+    }
+    return i == n_bytes;
+}
+
 FileKind file_kind(const unsigned char *bytes, size_t n_bytes)
 {
     static const char damaged[] = " that is damaged or cut off";
@@ -57,7 +68,7 @@ FileKind file_kind(const unsigned char *bytes, size_t n_bytes)
         {"\x89PNG", {"a picture", "", 0}},
         {"\xFF\xD8\xFF", {"a picture", "", 0}},
     };
-    if (n_bytes == 0) {
+    if (file_is_blank(bytes, n_bytes)) {
         return (FileKind){"an empty file", "", 1};
     }
     if (is_utf16(bytes, n_bytes)) {

@@ -15,4 +15,7 @@ typedef struct FileKind {
 // By the first bytes of the file, some hundred.
 FileKind file_kind(const unsigned char *bytes, size_t n_bytes);
 
+// Is there nothing in a file but blanks, and perhaps the mark of UTF-8?
+int file_is_blank(const unsigned char *bytes, size_t n_bytes);
+
 #endif

@@ -85,6 +85,11 @@ static int file_read(const Staging *staging, const char *file, int descriptor, s
     if (n_read > STAGE_MAX_FILE_BYTES) {  // it grew meanwhile
         return complain_too_large(staging, file);
     }
+    if (file_is_blank(staging->bytes, (size_t)n_read)) {
+        return complain(staging, file,
+                        "found an empty file, which counts as not handed in: write your answers "
+                        "into it, and hand it in again");
+    }
     const FileKind kind = file_kind(staging->bytes, (size_t)n_read);
     if (!kind.is_text) {
         return complain_kind(staging, file, kind.name);
@@ -195,13 +200,18 @@ static int complain_missing(const Staging *staging, const char *file, const Plac
 
 // ---- What was taken -------------------------------------------------------------------------
 
+// What was found in a less good place does not count, also where the best could not be used.
+static int has_other(const Places *places)
+{
+    return places->other.name != NULL && places->other_rank < RANK_TOLD;
+}
+
 // Say which of several was taken, or under what name, and where the others are, but for the less
 // good ones of which only the best is known. staging->bytes holds what was taken.
 static void choice_say(const Staging *staging, const char *file, size_t n_bytes,
                        const Places *places)
 {
-    const int has_other = places->other.name != NULL && places->other_rank < RANK_TOLD;
-    if (places->n_equal == 1 && !has_other && places->rank < RANK_CHANGED) {
+    if (places->n_equal == 1 && !has_other(places) && places->rank < RANK_CHANGED) {
         return;
     }
     fprintf(staging->said, "%s: taken from ", file);
@@ -213,7 +223,7 @@ static void choice_say(const Staging *staging, const char *file, size_t n_bytes,
               staging->said);
         place_say(staging, file, &places->equal[i]);
     }
-    if (has_other) {
+    if (has_other(places)) {
         fputs(is_same(staging, &places->other, (ssize_t)n_bytes)
                   ? "; the same is in "
                   : "; a different one, which does not count, is in ",
@@ -250,6 +260,10 @@ int file_stage(const Staging *staging, const char *file, const Places *places)
         staging->bytes[n_bytes] = '\0';  // there is room for one more
         odd_signs_note(file, (const char *)staging->bytes, staging->said);
         outcome = file_write(staging, file, n_bytes);
+    } else if (outcome > 0 && has_other(places)) {
+        fprintf(staging->said, "%s: another one, which does not count, is in ", file);
+        place_say(staging, file, &places->other);
+        fputc('\n', staging->said);
     }
     return outcome;
 }

@@ -29,7 +29,7 @@ int check_needs_others(const Check *check)
 static int is_fault(const Check *check, const CheckResult *found)
 {
     return found->status == CHECK_FAILED &&
-           (found->is_own || found->is_unanswered || !check_needs_others(check));
+           (found->is_own || check_is_unanswered(found) || !check_needs_others(check));
 }
 
 // The tasks that a check needs and whose answers are wrong for certain.
@@ -78,7 +78,8 @@ static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
     return (Diagnosis){.found = message_new("%s", diagnosis->found),
                        .cause = cause,
                        .mistake = diagnosis->cause == NULL ? diagnosis->mistake : MISTAKE_NONE,
-                       .evidence = diagnosis->evidence};
+                       .evidence = diagnosis->evidence,
+                       .silence = diagnosis->silence};
 }
 
 // What a check found comes of another task's answer, too. Where its own is wrong as well, only the
@@ -87,9 +88,10 @@ static void pass_blame(CheckResult *check, Culprits culprits)
 {
     check_tell(check, culprits.is_own
                           ? without_cause(check, culprits)
-                          : diagnosis_new("waits for %s, which it needs and which is wrong: "
-                                          "without its marker lines it cannot be tried alone",
-                                          culprits.first));
+                          : diagnosis_silent(SILENCE_UNTRIED,
+                                             "waits for %s, which it needs and which is wrong: "
+                                             "without its marker lines it cannot be tried alone",
+                                             culprits.first));
     check->is_explained = 0;
     check->status = culprits.is_own ? CHECK_FAILED : CHECK_NOT_RUN;
 }
@@ -100,7 +102,7 @@ void blame_others(const Check *checks, Result *result)
     for (int i = 0; i < result->n_checks; i++) {
         const CheckResult *check = &result->checks[i];
         const int has_failed =
-            check->status == CHECK_FAILED && !check->is_unanswered && !check->is_told_alone;
+            check->status == CHECK_FAILED && !check_is_unanswered(check) && !check->is_told_alone;
         culprits[i] = has_failed ? culprits_of(checks, result, i) : (Culprits){0};
     }
     for (int i = 0; i < result->n_checks; i++) {

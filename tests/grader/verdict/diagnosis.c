@@ -38,6 +38,14 @@ Mistake mistake_find(const char *name)
     return MISTAKE_NONE;
 }
 
+const char *silence_name(Silence silence)
+{
+    static const char *const words[N_SILENCES] = {[SILENCE_UNANSWERED] = "unanswered",
+                                                  [SILENCE_UNTRIED] = "untried",
+                                                  [SILENCE_ENDED] = "ended"};
+    return words[silence];
+}
+
 Diagnosis diagnosis_new(const char *format, ...)
 {
     va_list arguments;
@@ -45,6 +53,15 @@ Diagnosis diagnosis_new(const char *format, ...)
     char *found = message_new_from(format, arguments);
     va_end(arguments);
     return (Diagnosis){.found = found};
+}
+
+Diagnosis diagnosis_silent(Silence silence, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *found = message_new_from(format, arguments);
+    va_end(arguments);
+    return (Diagnosis){.found = found, .silence = silence};
 }
 
 Diagnosis diagnosis_of(char *found, Cause cause)

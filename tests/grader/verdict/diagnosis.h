@@ -41,6 +41,18 @@ typedef enum Evidence {
     N_EVIDENCES,
 } Evidence;
 
+// Why nothing is said about the answer itself.
+typedef enum Silence {
+    SILENCE_NONE,        // it is
+    SILENCE_UNANSWERED,  // its task stands as it was handed out
+    SILENCE_UNTRIED,     // it could not be tried: its file could not be used, does not compile, ...
+    SILENCE_ENDED,       // the program had ended, as the stage "Running" says already
+    N_SILENCES,
+} Silence;
+
+// "unanswered", "untried" or "ended"; NULL: something is said.
+const char *silence_name(Silence silence);
+
 // What wrong answers look like, "the shorter side was split". As judges know it beforehand.
 typedef struct Cause {
     const char *says;  // NULL: nothing is known, or the facts say it already
@@ -53,6 +65,7 @@ typedef struct Diagnosis {
     char *cause;  // what it looks like, or NULL. Owned
     Mistake mistake;
     Evidence evidence;
+    Silence silence;
 } Diagnosis;
 
 #define NOTHING_WRONG ((Diagnosis){0})
@@ -61,7 +74,11 @@ typedef struct Diagnosis {
 // program, here and below.
 __attribute__((format(printf, 1, 2))) Diagnosis diagnosis_new(const char *format, ...);
 
-// The same with what it looks like. Takes `found` over.
+// The same where nothing is said about the answer.
+__attribute__((format(printf, 2, 3))) Diagnosis diagnosis_silent(Silence silence,
+                                                                 const char *format, ...);
+
+// What was found, with what it looks like. Takes `found` over.
 Diagnosis diagnosis_of(char *found, Cause cause);
 
 // The same of what was seen in a scene: the cause is "it looks ..." as `looks` says.

@@ -74,9 +74,21 @@ const char *check_status_name(CheckStatus status)
     return status == CHECK_PASSED ? "passed" : status == CHECK_FAILED ? "failed" : "not-run";
 }
 
+int check_is_unanswered(const CheckResult *check)
+{
+    return check->diagnosis.silence == SILENCE_UNANSWERED ||
+           check->diagnosis.silence == SILENCE_UNTRIED;
+}
+
+int check_is_of_pixels(const CheckResult *check)
+{
+    return check->diagnosis.evidence == EVIDENCE_PICTURE ||
+           check->diagnosis.evidence == EVIDENCE_PLAIN_PICTURE;
+}
+
 CheckStatus check_status_shown(const CheckResult *check)
 {
-    return check->is_unanswered ? CHECK_NOT_RUN : check->status;
+    return check_is_unanswered(check) ? CHECK_NOT_RUN : check->status;
 }
 
 const char *check_message_shown(const CheckResult *check)

@@ -14,11 +14,6 @@ typedef enum CheckStatus {
 } CheckStatus;
 
 // One check, judged.
-// How the message of a check begins whose task stands as it was handed out.
-#define NOT_ANSWERED "not answered yet: it stands as it was handed out"
-// What the message of a check has in it that got no answer, as the stage "Running" says already.
-#define PROGRAM_HAD_ENDED "the program had ended"
-
 typedef struct CheckResult {
     const char *id;     // "overlaps-boundary"
     const char *title;  // "Points on the boundary belong to the circle"
@@ -36,7 +31,6 @@ typedef struct CheckResult {
     int is_told_alone;  // or fails it there, too, and what was found there is what is said
     const char *alone;  // what else came of testing it alone, in words; NULL: nothing
     int is_hidden;      // what it finds is not for students
-    int is_unanswered;  // its task stands as it was handed out
 } CheckResult;
 
 // Pictures of one scene for the report.
@@ -86,6 +80,12 @@ void result_add_stage(Result *result, const char *title, CheckStatus status, con
 
 // Say this of a check, in the place of what was said before. Takes the diagnosis over.
 void check_tell(CheckResult *check, Diagnosis diagnosis);
+
+// Is there no answer to it that could be tried?
+int check_is_unanswered(const CheckResult *check);
+
+// Was what it found seen in the pixels of a picture?
+int check_is_of_pixels(const CheckResult *check);
 
 // Let it pass with all its points, and nothing to say; or fail with none.
 void check_pass(CheckResult *check);
