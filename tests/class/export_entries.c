@@ -46,18 +46,23 @@ static int is_nobody(const char *file)
     return name_is_one_of(file, names);
 }
 
-// Files that course systems and desktops add to an export.
+// Files that course systems and desktops add to an export, and that say nothing.
 static int is_systems(const char *file)
 {
-    static const char *const names[] = {
-        GRADESCOPE_NAMES_FILE, STUDIP_NAMES_FILE, "index.html", ".DS_Store",
-        "Thumbs.db",           "desktop.ini",     "Report.txt", NULL};
+    static const char *const names[] = {"index.html",  ".DS_Store",  "Thumbs.db",
+                                        "desktop.ini", "Report.txt", NULL};
     return name_is_one_of(file, names) || strncmp(file, "._", 2) == 0;
+}
+
+int export_is_list(const char *file)
+{
+    static const char *const names[] = {GRADESCOPE_NAMES_FILE, STUDIP_NAMES_FILE, NULL};
+    return name_is_one_of(file, names);
 }
 
 int export_is_extra(const char *file)
 {
-    return is_nobody(file) || is_systems(file);
+    return is_nobody(file) || is_systems(file) || export_is_list(file);
 }
 
 // Does a folder hold files that ILIAS has named by their times?
