@@ -10,7 +10,7 @@
 
 enum { ILIAS_TIME_DIGITS = 14 };
 
-// The folder of an ILIAS student, whose files ILIAS has named. Returns 0, or -1 for anything else.
+// The folder of an ILIAS student or team, whose files ILIAS has named. Returns 0, or -1 for anything else.
 static int ilias_folder(const Export *export, const Found *found, char path[PATH_MAX])
 {
     if (found->name.system != SYSTEM_ILIAS || !found->is_folder ||
@@ -49,7 +49,7 @@ char *entry_time(const Export *export, const Found *found, ExportSystem *time_fr
     const char *text = found->submitters != NULL ? found->submitters->time : found->name.time;
     if (ilias_folder(export, found, path) == 0) {
         ilias_look(path, time, &is_late);
-        text = time;
+        text = export->has_ilias_times ? time : "";
     }
     // Of Stud.IP's list the times are sure also where the owners are not.
     *time_from = found->is_listed                 ? SYSTEM_STUDIP

@@ -222,6 +222,7 @@ int export_read(const char *submissions, int is_unpacked, int lab_number, Export
                   names_compare);
         }
         passed_over_tell(export);
+        export_teams_tell(export);
         clones_name(export);
     }
     if (result == 0 && export->n_found > 1) {
