@@ -123,6 +123,7 @@ int commits_take(const char *folder, Roster *roster)
         }
         free(entrant->time);
         entrant->time = time;
+        entrant->time_from = time[0] != '\0' ? SYSTEM_GIT : SYSTEM_NONE;
     }
     return 0;
 }

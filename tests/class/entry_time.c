@@ -1,6 +1,7 @@
 // Finding the time of an attempt (see entry_time.h).
 #include "entry_time.h"
 
+#include "evidence.h"
 #include "path.h"
 
 #include <dirent.h>
@@ -41,18 +42,24 @@ static void ilias_look(const char *folder, char time[24], int *is_late)
     }
 }
 
-char *entry_time(const Export *export, const Found *found)
+char *entry_time(const Export *export, const Found *found, ExportSystem *time_from)
 {
     char path[PATH_MAX], time[24] = "";
     int is_late = 0;
-    if (found->submitters != NULL) {
-        return strdup(found->submitters->time);
-    }
+    const char *text = found->submitters != NULL ? found->submitters->time : found->name.time;
     if (ilias_folder(export, found, path) == 0) {
         ilias_look(path, time, &is_late);
-        return strdup(time);
+        text = time;
     }
-    return strdup(export_is_exact(export, found) || found->is_listed ? found->name.time : "");
+    // Of Stud.IP's list the times are sure also where the owners are not.
+    *time_from = found->is_listed                 ? SYSTEM_STUDIP
+                 : export_is_exact(export, found) ? found->name.system
+                                                  : SYSTEM_NONE;
+    if (evidence_of(*time_from)->time_writer != WRITER_SYSTEM || text[0] == '\0') {
+        *time_from = SYSTEM_NONE;
+        text = "";
+    }
+    return strdup(text);
 }
 
 int entry_is_late(const Export *export, const Found *found)

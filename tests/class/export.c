@@ -4,6 +4,7 @@
 #include "export.h"
 
 #include "complain.h"
+#include "evidence.h"
 #include "export_entries.h"
 #include "export_level.h"
 #include "export_system.h"
@@ -151,6 +152,7 @@ static int submitters_read(Export *export)
         found->submitters = gradescope_names_find(&export->names, found->file);
         if (found->submitters != NULL) {
             gradescope_names_join(found->submitters, found->name.name);
+            found->name.system = export->system = SYSTEM_GRADESCOPE;
         }
     }
     return 0;
@@ -202,15 +204,14 @@ void export_free(Export *export)
 
 int export_is_exact(const Export *export, const Found *found)
 {
-    return found->submitters != NULL ||
-           (export->system != SYSTEM_NONE && found->name.system == export->system);
+    return found->name.system == export->system &&
+           evidence_of(found->name.system)->identity_writer == WRITER_SYSTEM;
 }
 
 int export_is_same_student(const Export *export, const Found *a, const Found *b)
 {
-    return export->system != SYSTEM_NONE && a->name.system == export->system &&
-           b->name.system == export->system && strcmp(a->name.name, b->name.name) == 0 &&
-           strcmp(a->name.number, b->name.number) == 0;
+    return export_is_exact(export, a) && export_is_exact(export, b) &&
+           strcmp(a->name.name, b->name.name) == 0 && strcmp(a->name.number, b->name.number) == 0;
 }
 
 int export_attempt_end(const Export *export, int i)

@@ -45,7 +45,7 @@ typedef struct Export {
 int export_read(const char *submissions, int is_unpacked, int lab_number, Export *export);
 void export_free(Export *export);
 
-// Did a course system make the names of this one, so that nobody else could choose them?
+// Has a course system written whose it is, so that nobody else could (evidence.h)?
 int export_is_exact(const Export *export, const Found *found);
 
 // Are two entries one student's, by names that a course system made? Any other name is chosen by

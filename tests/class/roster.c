@@ -94,8 +94,11 @@ static int entrant_add(Roster *roster, const Export *export, int begin, int end,
     const Found *found = &export->found[begin];
     entry_name_show(found->file, strlen(found->file), entry);
     Entrant *entrant = &roster->entrants[roster->n_entrants];
+    ExportSystem time_from;
+    char *time = entry_time(export, found, &time_from);
     *entrant = (Entrant){.name = strdup(found->name.name),
-                         .time = entry_time(export, found),
+                         .time = time,
+                         .time_from = time_from,
                          .is_late = entry_is_late(export, found),
                          .number = strdup(found->name.number),
                          .entry = strdup(entry),

@@ -8,14 +8,15 @@
 #include "gradescope_names.h"
 
 typedef struct Entrant {
-    char *name;       // the student or the team, fit to be shown
-    char *label;      // the name for pages, with what tells it from another one's of the same name
-    char *number;     // the system's number of the student, team or submission, or ""
-    char *entry;      // the entry's name, fit to be shown
-    char *slug;       // the name of its files; unique
-    char *time;       // when it was handed in, as the system wrote it (moment.h), or ""
-    int is_late;      // the system marked it so
-    int attempt;      // 1, 2 ... of entries that a system's export gives to one student
+    char *name;    // the student or the team, fit to be shown
+    char *label;   // the name for pages, with what tells it from another one's of the same name
+    char *number;  // the system's number of the student, team or submission, or ""
+    char *entry;   // the entry's name, fit to be shown
+    char *slug;    // the name of its files; unique
+    char *time;    // when it was handed in, as the system wrote it (moment.h), or ""
+    ExportSystem time_from;  // where that is from, by the table of evidence.h
+    int is_late;             // the system marked it so
+    int attempt;             // 1, 2 ... of entries that a system's export gives to one student
     int is_exact;     // name and number are the host's own: others like them are somebody else's
     int is_link;      // neither a folder nor a file: cannot be graded
     Member *members;  // who handed it in, where the export says more than a name; else none

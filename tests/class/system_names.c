@@ -8,13 +8,6 @@
 
 enum { MOST_GROUPS = 8 };
 
-const char *system_title(ExportSystem system)
-{
-    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle", "Canvas", "Blackboard",
-                                                  "Brightspace",  "ILIAS",  "VPL",    "Stud.IP"};
-    return titles[system];
-}
-
 // Does a text match? The parts of the groups, the whole being the first.
 static int matches(const char *pattern, const char *text, NamePart parts[MOST_GROUPS])
 {

@@ -18,12 +18,14 @@ typedef enum ExportSystem {
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
     SYSTEM_VPL,
-    SYSTEM_STUDIP,  // by its list of files (studip_names.h), not by names
+    // Not by names: by a list of files (studip_names.h, gradescope_names.h), a repository
+    // (commits.h), or what the instructor says.
+    SYSTEM_STUDIP,
+    SYSTEM_GRADESCOPE,
+    SYSTEM_GIT,
+    SYSTEM_OWN,
     N_SYSTEMS
 } ExportSystem;
-
-// "Canvas", for messages.
-const char *system_title(ExportSystem system);
 
 // A piece of an entry's name.
 typedef struct NamePart {

@@ -1,8 +1,12 @@
 // Unit tests of the names that course systems give to what students hand in.
 #include "entry_name.h"
+#include "evidence.h"
 #include "system_names.h"
+#include "text_file.h"
 
 #include <criterion/criterion.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct Case {
@@ -73,7 +77,7 @@ Test(system_names, are_taken_apart)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const SystemName name = read_first(cases[i].entry);
         cr_expect_eq(name.system, cases[i].system, "%s: found %s", cases[i].entry,
-                     system_title(name.system));
+                     evidence_of(name.system)->title);
         expect_part(name.name, cases[i].name, cases[i].entry);
         expect_part(name.number, cases[i].number, cases[i].entry);
         expect_part(name.login, cases[i].login, cases[i].entry);
@@ -116,4 +120,23 @@ Test(system_names, of_folders_and_of_files_differ)
             .system,
         SYSTEM_NONE);
     cr_expect_eq(entry_name_read_export("adal_1_2_x.cl", 1, SYSTEM_CANVAS).system, SYSTEM_NONE);
+}
+
+// ---- What decides ------------------------------------------------------------------------------
+
+// The table of the code is the one that instructors read, row by row.
+Test(evidence, is_the_table_that_instructors_read)
+{
+    char *text = text_file_read("tests/INSTRUCTORS.md");
+    for (ExportSystem system = SYSTEM_NONE; system < N_SYSTEMS; system++) {
+        char row[512];
+        const Evidence *evidence = evidence_of(system);
+        snprintf(row, sizeof row, "\n| %s | %s | %s | %s | %s |\n", evidence->title,
+                 evidence->identity, writer_words(evidence->identity_writer), evidence->time,
+                 writer_words(evidence->time_writer));
+        cr_expect_not_null(strstr(text, row), "tests/INSTRUCTORS.md: expected the row%s", row);
+        cr_expect_eq(evidence_find(evidence->title), system);
+    }
+    cr_expect_eq(evidence_find("Canvas LMS"), SYSTEM_NONE);
+    free(text);
 }
