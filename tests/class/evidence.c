@@ -12,7 +12,7 @@ const char *writer_words(Writer writer)
     return words[writer];
 }
 
-static const Evidence evidences[N_SYSTEMS] = {
+static const SystemEvidence evidences[N_SYSTEMS] = {
     [SYSTEM_NONE] = {"a plain name", "the name of the folder or archive", WRITER_STUDENT, "none",
                      WRITER_NOBODY},
     [SYSTEM_MOODLE] = {"Moodle", "the name and the number before `_assignsubmission_`",
@@ -40,7 +40,7 @@ static const Evidence evidences[N_SYSTEMS] = {
                     "the column `handed in` of your `LIST=`", WRITER_INSTRUCTOR},
 };
 
-const Evidence *evidence_of(ExportSystem system)
+const SystemEvidence *evidence_of(ExportSystem system)
 {
     return &evidences[system];
 }

@@ -33,6 +33,7 @@ typedef struct Export {
     char **passed_over;  // files of which no name says whose they are, fit to be shown
     int n_passed_over;
     ExportSystem system;  // the one that made most of the names, or SYSTEM_NONE
+    int has_ilias_times;  // ILIAS has written times before the files' names (entry_time.h)
     GradescopeNames names;
 } Export;
 

@@ -147,7 +147,7 @@ int lateness_is_late(const LateRow *late)
 const char *lateness_unknown(const Gradebook *gradebook, const Row *row)
 {
     const LateRow *late = lateness_of(gradebook, row);
-    return late != NULL && row_is_graded(row) ? late->unknown : NULL;
+    return late != NULL ? late->unknown : NULL;
 }
 
 // ---- Points ------------------------------------------------------------------------------------
@@ -177,8 +177,8 @@ static int points_off(const Lateness *lateness, const LateRow *late, int score, 
         return 0;
     }
     if (late->has_time) {
-        if (lateness->limit > 0 && minute_begin(late) > moment_later(late->due, lateness->limit,
-                                                                     lateness->limit_unit)) {
+        if (lateness->limit > 0 &&
+            minute_begin(late) > moment_later(late->due, lateness->limit, lateness->limit_unit)) {
             return score;
         }
         n_units = lateness->unit > 0 ? units_begun(late, lateness->unit) : 1;
@@ -194,6 +194,8 @@ static void row_judge(const Lateness *lateness, const Gradebook *gradebook, Row 
     if (late->has_time) {
         const long seconds = (long)(late->handed_in - late->due);
         late->seconds = seconds >= MINUTE ? seconds : 0;
+        late->is_marked = late->is_marked && late->seconds == 0;
+        late->has_time = !late->is_marked;
     }
     if (row_is_graded(row)) {
         late->off = points_off(lateness, late, row->score, gradebook->max_score);

@@ -15,13 +15,14 @@
 typedef struct LateRow {
     int has_time;
     time_t handed_in;
-    int is_marked;   // no time, but somebody's word that it was late
-    int is_unmarked; // no time either: the system marks late work, and has not marked this
-    int is_said;     // the instructor said it, not the system
-    char *unknown;   // why nobody can say whether it was in time; NULL: it is known
-    time_t due;      // the deadline, or the end of the last day of the student's extension
-    long seconds;    // after that; 0: in time, or not known
-    int off;         // the points taken off
+    int is_marked;    // no time, but somebody's word that it was late
+    int is_unmarked;  // no time either: the system marks late work, and has not marked this
+    int is_said;      // the instructor said it
+    char *unknown;    // why nobody can say whether it was in time, behind why nobody can say whose
+                      // it is; NULL: it is known
+    time_t due;       // the deadline, or the end of the last day of the student's extension
+    long seconds;     // after that; 0: in time, or not known
+    int off;          // the points taken off
 } LateRow;
 
 // Room for a duration.
@@ -32,9 +33,10 @@ typedef struct Lateness {
     int takes_points;  // else lateness is only shown
     int amount;        // points, or percent of the lab's points
     int is_percent;
-    long unit;              // for each so many seconds begun; 0: once
-    long limit, limit_unit;  // later than so many units of so many seconds earns nothing; 0: no limit
-    LateRow *rows;           // [n_rows] of the gradebook; NULL before lateness_apply()
+    long unit;  // for each so many seconds begun; 0: once
+    long limit,
+        limit_unit;  // later than so many units of so many seconds earns nothing; 0: no limit
+    LateRow *rows;   // [n_rows] of the gradebook; NULL before lateness_apply()
     int n_rows;
 } Lateness;
 
@@ -58,8 +60,7 @@ const LateRow *lateness_of(const Gradebook *gradebook, const Row *row);
 // Was it handed in late? NULL: no deadline was given, so nothing was.
 int lateness_is_late(const LateRow *late);
 
-// Why nobody can say whether a row was handed in time, so that it is to be decided; NULL: that is
-// known, or no deadline was given, or there are no points that it could cost.
+// Its `unknown`, for which it is to be decided; NULL also where no deadline was given.
 const char *lateness_unknown(const Gradebook *gradebook, const Row *row);
 
 // "handed in 2026-11-26 10:05 CET, 10 h 5 min late: 10 points off", not escaped; nothing where the

@@ -235,11 +235,11 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
 static int decided_enter(Search *search, int row)
 {
     Worksheet *worksheet = search->worksheet;
-    const Decisions *decisions = worksheet->decisions;
+    const Decisions *decisions = search->gradebook->decisions;
     int is_decided = 0;
     for (int i = 0; decisions != NULL && i < decisions->n; i++) {
         const Decision *decision = &decisions->all[i];
-        if (decision->row != row) {
+        if (decision->row != row || decision->kind == DECISION_TIME) {
             continue;
         }
         is_decided = 1;

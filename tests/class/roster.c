@@ -94,12 +94,11 @@ static int entrant_add(Roster *roster, const Export *export, int begin, int end,
     const Found *found = &export->found[begin];
     entry_name_show(found->file, strlen(found->file), entry);
     Entrant *entrant = &roster->entrants[roster->n_entrants];
-    ExportSystem time_from;
-    char *time = entry_time(export, found, &time_from);
+    const EntryTime time = entry_time(export, begin, end);
     *entrant = (Entrant){.name = strdup(found->name.name),
-                         .time = time,
-                         .time_from = time_from,
-                         .is_late = entry_is_late(export, found),
+                         .time = time.text,
+                         .time_from = time.from,
+                         .is_late = time.is_late,
                          .number = strdup(found->name.number),
                          .entry = strdup(entry),
                          .slug = slug_new(roster, found),
@@ -234,6 +233,7 @@ int roster_read(const char *submissions, int lab_number, int only_latest, const 
         result = links_clear(links) != 0 || collected_clear(places.collected) != 0 ? -1 : 0;
     }
     if (result == 0) {
+        entry_times_settle(&export);
         result = roster_fill(&export, only_latest, &places, roster);
         roster->passed_over = export.passed_over, roster->n_passed_over = export.n_passed_over;
         export.passed_over = NULL, export.n_passed_over = 0;

@@ -88,16 +88,16 @@ typedef struct Change {
 } Change;
 
 static const Change changes[] = {
-    {"Europe/Berlin", "2026-10-25 01:59", 1792886340},     // 23:59 in Greenwich
-    {"Europe/Berlin", "2026-10-25 02:30", 1792888200},     // shown twice: 00:30
-    {"Europe/Berlin", "2026-10-25 03:00", 1792893600},     // 02:00
-    {"Europe/Berlin", "2026-03-29 01:59", 1774745940},     // 00:59
-    {"Europe/Berlin", "2026-03-29 02:30", 1774744200},     // never shown: 00:30
-    {"Europe/Berlin", "2026-03-29 03:00", 1774746000},     // 01:00
-    {"America/New_York", "2026-11-01 01:30", 1793511000},  // twice: 05:30
-    {"America/New_York", "2026-11-01 02:00", 1793516400},  // 07:00
-    {"America/New_York", "2026-03-08 02:30", 1772951400},  // never: 06:30
-    {"America/New_York", "2026-03-08 03:00", 1772953200},  // 07:00
+    {"Europe/Berlin", "2026-10-25 01:59", 1792886340},        // 23:59 in Greenwich
+    {"Europe/Berlin", "2026-10-25 02:30", 1792888200},        // shown twice: 00:30
+    {"Europe/Berlin", "2026-10-25 03:00", 1792893600},        // 02:00
+    {"Europe/Berlin", "2026-03-29 01:59", 1774745940},        // 00:59
+    {"Europe/Berlin", "2026-03-29 02:30", 1774744200},        // never shown: 00:30
+    {"Europe/Berlin", "2026-03-29 03:00", 1774746000},        // 01:00
+    {"America/New_York", "2026-11-01 01:30", 1793511000},     // twice: 05:30
+    {"America/New_York", "2026-11-01 02:00", 1793516400},     // 07:00
+    {"America/New_York", "2026-03-08 02:30", 1772951400},     // never: 06:30
+    {"America/New_York", "2026-03-08 03:00", 1772953200},     // 07:00
     {"Australia/Lord_Howe", "2026-04-05 01:45", 1775313900},  // twice: 14:45 of the day before
     {"Australia/Lord_Howe", "2026-04-05 02:00", 1775316600},  // 15:30
     {"Australia/Lord_Howe", "2026-10-04 02:15", 1791040500},  // never: 15:15
@@ -138,8 +138,8 @@ Test(moment, hours_are_real_and_days_are_the_calendars)
         time_t from, to;
         cr_assert_eq(moment_read(cases[i].from, &from), 0);
         cr_assert_eq(moment_read(cases[i].to, &to), 0);
-        cr_expect_eq(moment_later(from, cases[i].n, cases[i].unit), to, "%ld units of %ld s from %s",
-                     cases[i].n, cases[i].unit, cases[i].from);
+        cr_expect_eq(moment_later(from, cases[i].n, cases[i].unit), to,
+                     "%ld units of %ld s from %s", cases[i].n, cases[i].unit, cases[i].from);
     }
 }
 
