@@ -37,7 +37,7 @@ static const SystemEvidence evidences[N_SYSTEMS] = {
     [SYSTEM_GIT] = {"Git", "the name of the clone's folder", WRITER_INSTRUCTOR,
                     "the commit that is checked out", WRITER_STUDENT},
     [SYSTEM_OWN] = {"your own", "`WHO=`", WRITER_INSTRUCTOR,
-                    "the column `handed in` of your `LIST=`", WRITER_INSTRUCTOR},
+                    "the column `handed in` of your `LIST=` or `WHO=`", WRITER_INSTRUCTOR},
 };
 
 const SystemEvidence *evidence_of(ExportSystem system)

@@ -90,7 +90,7 @@ check "who gets no grade" grep -qF "$finns\"\",\"-\",\"\"" "$out/upload.csv"
 check "and no comment with points" grep -q "^$finns.*,\"nothing says when it was handed in\"\$" "$out/gradebook.csv"
 # shellcheck disable=SC2086 # words
 "$build/tools/gradebook" feedback $list --due "$due" --late "$late" folders "$out" >"$scratch/said" 2>&1
-check "and no report" said "not given back: Finn Fox_26_assignsubmission_file_: nothing says when it was handed in"
+check "and no report" said "not given back: Finn Fox: nothing says when it was handed in"
 check "what is to be decided is offered" test "$(sed -n 1p "$out/who.csv"; grep -c . "$out/who.csv")" = \
     "entry,student,counts,handed in,name,reason
 2"
