@@ -175,7 +175,8 @@ static void passed_over_write(FILE *page, const Roster *roster)
     fputs(
         "<h2 class=\"section\" id=\"passed-over\">Passed over</h2>\n"
         "<p class=\"soft\">Files of which no name says whose they are. If one is a student's, put "
-        "it into a folder with the student's name.</p>\n<div class=\"card\"><p class=\"names\">",
+        "it into a folder with the student's name. A list of a course system's name among them may "
+        "be a student's, so it decides nothing.</p>\n<div class=\"card\"><p class=\"names\">",
         page);
     for (int i = 0; i < roster->n_passed_over; i++) {
         fputs(i > 0 ? " &middot; " : "", page);

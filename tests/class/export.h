@@ -14,9 +14,10 @@
 typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
-    unsigned systems;  // a bit for each ExportSystem that may have made the name
-    int has_times;     // a folder whose files ILIAS has named by their times
-    size_t n_title;    // Blackboard's: how many bytes the title before the login has
+    unsigned systems;         // a bit for each ExportSystem that may have made the name
+    unsigned readable;        // and for each as whose it can be read
+    int has_times;            // a folder whose files ILIAS has named by their times
+    size_t n_title, n_login;  // Blackboard's: how many bytes the title and the login behind it have
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded
     int is_loose;  // a single file, or what a system has named as one of the files of an upload, be

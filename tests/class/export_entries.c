@@ -46,18 +46,23 @@ static int is_nobody(const char *file)
     return name_is_one_of(file, names);
 }
 
-// Files that course systems and desktops add to an export.
+// Files that course systems and desktops add to an export, and that say nothing.
 static int is_systems(const char *file)
 {
-    static const char *const names[] = {
-        GRADESCOPE_NAMES_FILE, STUDIP_NAMES_FILE, "index.html", ".DS_Store",
-        "Thumbs.db",           "desktop.ini",     "Report.txt", NULL};
+    static const char *const names[] = {"index.html",  ".DS_Store",  "Thumbs.db",
+                                        "desktop.ini", "Report.txt", NULL};
     return name_is_one_of(file, names) || strncmp(file, "._", 2) == 0;
+}
+
+int export_is_list(const char *file)
+{
+    static const char *const names[] = {GRADESCOPE_NAMES_FILE, STUDIP_NAMES_FILE, NULL};
+    return name_is_one_of(file, names);
 }
 
 int export_is_extra(const char *file)
 {
-    return is_nobody(file) || is_systems(file);
+    return is_nobody(file) || is_systems(file) || export_is_list(file);
 }
 
 // Does a folder hold files that ILIAS has named by their times?
@@ -80,18 +85,21 @@ static int holds_ilias_files(int parent, const char *file)
     return holds;
 }
 
-// Which systems may have made a name: a bit for each.
-static unsigned systems_find(const Found *found)
+// Which systems may have made a name, and as whose it can be read: a bit for each.
+static void systems_find(Found *found)
 {
-    unsigned systems = found->name.system == SYSTEM_MOODLE ? 1U << SYSTEM_MOODLE : 0;
-    for (ExportSystem system = SYSTEM_MOODLE + 1; system < N_SYSTEMS; system++) {
-        const EntryName name = entry_name_read_export(found->file, found->is_folder, system);
-        if (name.system == system &&
-            (system != SYSTEM_ILIAS || found->has_times || ilias_name_is_whole(found->file))) {
-            systems |= 1U << system;
-        }
+    for (ExportSystem system = SYSTEM_NONE + 1; system < N_SYSTEMS; system++) {
+        const EntryName name = system == SYSTEM_MOODLE
+                                   ? found->name
+                                   : entry_name_read_export(found->file, found->is_folder, system);
+        const int is_read = name.system == system && (system != SYSTEM_ILIAS || found->has_times ||
+                                                      ilias_name_is_whole(found->file));
+        const int is_any_kind = system == SYSTEM_MOODLE || !found->is_folder;
+        found->readable |= (unsigned)is_read << system;
+        found->systems |=
+            (unsigned)(is_read || (is_any_kind && system_name_is_possible(found->file, system)))
+            << system;
     }
-    return systems;
 }
 
 // Read what a file or folder is, under a name as if no system had made it: it is decided later
@@ -111,7 +119,7 @@ static int found_read(int parent, const char *file, int lab_number, Found *found
     }
     found->is_link = !found->is_folder && !is_file;
     found->has_times = found->is_folder && holds_ilias_files(parent, file);
-    found->systems = systems_find(found);
+    systems_find(found);
     found->is_loose = is_file && archive_stem_length(file) == 0;
     return 0;
 }

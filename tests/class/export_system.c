@@ -6,30 +6,37 @@
 
 static int made_by(const Found *found, ExportSystem system)
 {
-    return (found->systems >> system & 1) != 0;
+    return (found->readable >> system & 1) != 0;
 }
 
 ExportSystem export_system_find(const Export *export)
 {
+    // Of two that fit as many, the one whose pattern is the less likely by chance.
+    static const ExportSystem order[] = {SYSTEM_MOODLE, SYSTEM_BLACKBOARD, SYSTEM_BRIGHTSPACE,
+                                         SYSTEM_CANVAS, SYSTEM_ILIAS,      SYSTEM_VPL};
     ExportSystem best = SYSTEM_NONE;
     int n_most = export->n_found / 2;
-    for (ExportSystem system = SYSTEM_NONE + 1; system < N_SYSTEMS; system++) {
-        int n = 0;
+    for (size_t s = 0; s < sizeof order / sizeof *order; s++) {
+        int n = 0, n_readable = 0;
         for (int i = 0; i < export->n_found; i++) {
-            n += made_by(&export->found[i], system);
+            n += (export->found[i].systems >> order[s] & 1) != 0;
+            n_readable += made_by(&export->found[i], order[s]);
         }
-        if (n > n_most) {
+        if (n > n_most && n_readable > 0) {
             n_most = n;
-            best = system;
+            best = order[s];
         }
     }
     return best;
 }
 
 // How long what stands before the login is, in a name of Blackboard's: "Lab 0_".
-static size_t title_length(const Found *found)
+static void title_measure(Found *found)
 {
-    return (size_t)(system_name_read(found->file, SYSTEM_BLACKBOARD).name.text - found->file);
+    const NamePart login = system_name_read(found->file, SYSTEM_BLACKBOARD).name;
+    const int is_read = made_by(found, SYSTEM_BLACKBOARD);
+    found->n_title = is_read ? (size_t)(login.text - found->file) : 0;
+    found->n_login = is_read ? login.length : 0;
 }
 
 // By title, the shortest first; behind all that are not Blackboard's.
@@ -43,23 +50,36 @@ static int title_compare(const void *left, const void *right)
                                       : strncmp(a->file, b->file, a->n_title);
 }
 
-// The title of the assignment, which stands before each login: the most frequent one, of equally
-// frequent ones the shortest. Sorts the entries by their titles. Returns an entry with it, or NULL
-// where Blackboard made none.
+// By title, the shortest first, then by login; behind all that are not Blackboard's.
+static int login_compare(const void *left, const void *right)
+{
+    const Found *a = left;
+    const Found *b = right;
+    const int order = title_compare(a, b);
+    return order != 0 ? order
+           : a->n_login != b->n_login
+               ? (a->n_login > b->n_login) - (a->n_login < b->n_login)
+               : strncmp(a->file + a->n_title, b->file + b->n_title, a->n_login);
+}
+
+// The title of the assignment, which stands before each login: the one before most different
+// logins, of equally many the shortest. A student with an underscore in the login seems to have
+// another title, however many files that are. Sorts the entries by their titles. Returns an entry
+// with it, or NULL where Blackboard made none.
 static const Found *title_find(Export *export)
 {
     const Found *best = NULL;
     int n_most = 0, n = 0;
     for (int i = 0; i < export->n_found; i++) {
-        Found *found = &export->found[i];
-        found->n_title = made_by(found, SYSTEM_BLACKBOARD) ? title_length(found) : 0;
+        title_measure(&export->found[i]);
     }
     if (export->n_found > 1) {
-        qsort(export->found, (size_t)export->n_found, sizeof *export->found, title_compare);
+        qsort(export->found, (size_t)export->n_found, sizeof *export->found, login_compare);
     }
     for (int i = 0; i < export->n_found; i++) {
         const Found *found = &export->found[i];
-        n = i > 0 && title_compare(found - 1, found) == 0 ? n + 1 : 1;
+        const int is_new_title = i == 0 || title_compare(found - 1, found) != 0;
+        n = is_new_title ? 1 : n + (login_compare(found - 1, found) != 0);
         if (made_by(found, SYSTEM_BLACKBOARD) && n > n_most) {
             n_most = n;
             best = found;

@@ -186,6 +186,19 @@ SystemName system_name_read(const char *entry, ExportSystem system)
     return readers[system] != NULL ? readers[system](entry) : (SystemName){0};
 }
 
+int system_name_is_possible(const char *entry, ExportSystem system)
+{
+    NamePart parts[MOST_GROUPS];
+    switch (system) {
+    case SYSTEM_MOODLE:
+        return matches("^.+_assignsubmission_", entry, parts);
+    case SYSTEM_CANVAS:
+        return matches("^.+_[0-9]+_([0-9]+_.|(text|link)\\.html$)", entry, parts);
+    default:
+        return system_name_read(entry, system).system == system;
+    }
+}
+
 int ilias_name_is_whole(const char *entry)
 {
     NamePart parts[MOST_GROUPS];

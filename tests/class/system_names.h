@@ -54,6 +54,10 @@ typedef struct SystemName {
 //   Lovelace Ada 1234 ada                                                        VPL, a folder
 SystemName system_name_read(const char *entry, ExportSystem system);
 
+// Could the system have made the name, whatever a student has called the file? Some such names can
+// not be read, as a student's part looks like the system's: they still show which system it was.
+int system_name_is_possible(const char *entry, ExportSystem system);
+
 // Has a folder's name all four parts of ILIAS', last name, first name, login and number? Of three,
 // "lab_ada_2", only the files in it say that it is ILIAS'.
 int ilias_name_is_whole(const char *entry);
