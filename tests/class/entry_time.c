@@ -37,6 +37,13 @@ static int is_marked(const char *file)
     return 0;
 }
 
+// In other languages the mark is other words, which have no digits.
+static int may_be_marked(const char *file)
+{
+    const char *end = strstr(file, " - ");
+    return end != NULL && strcspn(file, "0123456789") > (size_t)(end - file);
+}
+
 // The folder of an ILIAS student? Then its files are looked at.
 static int ilias_look(const Export *export, const Found *found, IliasFiles *files)
 {
@@ -62,7 +69,7 @@ static int ilias_look(const Export *export, const Found *found, IliasFiles *file
             }
         } else if (is_marked(name)) {
             files->is_late = 1;
-        } else if (strstr(name, " - ") != NULL) {
+        } else if (may_be_marked(name)) {
             entry_name_show(name, strlen(name), files->odd);
         }
     }
@@ -136,7 +143,10 @@ EntryTime entry_time(const Export *export, int begin, int end)
         time.is_late |= export->found[i].name.is_late;
     }
     if (time.from == SYSTEM_BRIGHTSPACE && text[0] == '\0') {
-        text = "its name has two dates, or one in a form that is not known here";
+        text = "its name has two dates, or one in a form that the grader does not know";
+        time.from = SYSTEM_NONE;
+    } else if (time.from == SYSTEM_MOODLE) {
+        text = "only Moodle's grading worksheet (LIST=) can say it";
         time.from = SYSTEM_NONE;
     } else if (evidence_of(time.from)->time_writer != WRITER_SYSTEM ||
                (text[0] == '\0' && !has_marks(time.from))) {

@@ -169,6 +169,16 @@ static void upload_print(const Worksheet *worksheet, const char *folder)
     free(title);
 }
 
+// Is any row somebody's of the list?
+static int has_entered(const Worksheet *worksheet)
+{
+    int i = 0;
+    while (i < worksheet->n_rows && worksheet->entered[i].n_participants == 0) {
+        i++;
+    }
+    return i < worksheet->n_rows;
+}
+
 // How the class did, for the terminal. The last line counts everybody.
 //   n_open   how many entries who.csv offers to decide
 static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet,
@@ -215,14 +225,14 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
     upload_print(worksheet, folder);
     if (n_open > 0) {
-        const char *what = worksheet == NULL             ? "when it was handed in,"
-                           : gradebook->lateness != NULL ? "the student, or when it was handed in,"
+        const char *what = worksheet == NULL             ? "the time"
+                           : gradebook->lateness != NULL ? "the student or the time"
                                                          : "the student";
         printf("To be decided: write %s of each of %d into %s/who.csv, and give it as "
                "WHO=%s/who.csv\n",
                what, n_open, folder, folder);
     }
-    if (tally->has_list && tally->n_done == 0 && gradebook->n_graded > 0) {
+    if (worksheet != NULL && gradebook->n_graded > 0 && !has_entered(worksheet)) {
         printf("Nobody of the list handed in one of these: is it another course's?\n");
     }
     tally_write(stdout, tally);

@@ -62,6 +62,7 @@ Identifier,"Full name","Email address",Grade,"Last modified (submission)","Feedb
 END
 }
 worksheet -
+nowhere="nobody knows when it was handed in: only Moodle's grading worksheet (LIST=) can say it"
 list="--moodle $scratch/list.csv"
 # shellcheck disable=SC2086 # words
 check "a class with Moodle's times, of which one is not known" exits 1 graded $list
@@ -70,10 +71,10 @@ check "a minute later is a day begun" is "Bob Ross" 90 60
 check "two days to the minute are two" is "Carol Shaw" 80 172800
 check "a minute more earns nothing" is "Dora Day" 0 172860
 check "before it is not late" is "Eve Eliot" 100 0
-check "who has no time is to be decided" open "Finn Fox" "nothing says when it was handed in"
+check "who has no time is to be decided" open "Finn Fox" "$nowhere"
 check "the terminal says the zone, and what it cost" said "Due 2026-11-25 23:59 CET: 3 late, 130 points off"
 check "of how many nobody knows" said "130 points off, of 1 nobody knows"
-check "of whom" said 'not entered: "Finn Fox_26_assignsubmission_file_": nothing says when it was handed in'
+check "of whom" said "not entered: \"Finn Fox_26_assignsubmission_file_\": $nowhere"
 check "and the last line counts it" said \
     "5 of 6 graded and entered; 1 without submission; 0 passed over; 0 with nothing of this lab; 1 to be decided by you"
 check "tasks keep their points" test "$(of "Dora Day" '.points | add')" = 100
@@ -87,10 +88,10 @@ check "the page has the three" test \
 check "and the one of whom nobody knows" grep -q 'id="undecided"' "$out/class.html"
 finns='"Participant 26","Finn Fox","finn@example.org",'
 check "who gets no grade" grep -qF "$finns\"\",\"-\",\"\"" "$out/upload.csv"
-check "and no comment with points" grep -q "^$finns.*,\"nothing says when it was handed in\"\$" "$out/gradebook.csv"
+check "and no comment with points" grep -q "^$finns.*,\"$nowhere\"\$" "$out/gradebook.csv"
 # shellcheck disable=SC2086 # words
 "$build/tools/gradebook" feedback $list --due "$due" --late "$late" folders "$out" >"$scratch/said" 2>&1
-check "and no report" said "not given back: Finn Fox: nothing says when it was handed in"
+check "and no report" said "not given back: Finn Fox: $nowhere"
 check "what is to be decided is offered" test "$(sed -n 1p "$out/who.csv"; grep -c . "$out/who.csv")" = \
     "entry,student,counts,handed in,name,reason
 2"
@@ -246,7 +247,7 @@ rmdir "$eve"
 touch "$eve - gradient.cl"
 check "before a file" exits 1 graded
 check "nobody knows which is it" open Eve \
-    "nobody knows when it was handed in: its name has two dates, or one in a form that is not known here"
+    "nobody knows when it was handed in: its name has two dates, or one in a form that the grader does not know"
 rm "$eve - gradient.cl"
 check "without it" exits 0 graded
 check "at noon and at midnight" is "Bob Ross" 90 360
@@ -277,12 +278,14 @@ for mark in Verspaetete Verspätete; do
     check "that is late, too" test "$(of Ross_Bob '.score, .late.is_late')" = "90 true"
 done
 mv "$class"/Ross_Bob_bob_1235/* "$class/Ross_Bob_bob_1235/Remise tardive - gradient.cl"
+touch "$class/Lovelace_Ada_ada_1234/Lab 0 - x.cl"
 mv "$class"/Shaw_Carol_carol_1236/* "$class/Shaw_Carol_carol_1236/20261125100000_20_gradient.cl"
 check "what may be a mark in another language, and a time that a student wrote" exits 1 graded
 check "leave it open" open Ross_Bob "nobody knows when it was handed in: \"Remise tardive - gradient.cl\" may begin \
 with the mark of late work in a language that the grader does not know"
 check "and open" open Shaw_Carol "nobody knows when it was handed in: the name of a file begins with 20261125100000, \
 which the student may have written"
+check "no mark has digits" is Lovelace_Ada 100 0
 
 entries submission_1 submission_2 submission_3
 cat >"$class/submission_metadata.yml" <<'END'
