@@ -12,7 +12,7 @@ const char *writer_words(Writer writer)
     return words[writer];
 }
 
-static const Evidence evidences[N_SYSTEMS] = {
+static const SystemEvidence evidences[N_SYSTEMS] = {
     [SYSTEM_NONE] = {"a plain name", "the name of the folder or archive", WRITER_STUDENT, "none",
                      WRITER_NOBODY},
     [SYSTEM_MOODLE] = {"Moodle", "the name and the number before `_assignsubmission_`",
@@ -37,10 +37,10 @@ static const Evidence evidences[N_SYSTEMS] = {
     [SYSTEM_GIT] = {"Git", "the name of the clone's folder", WRITER_INSTRUCTOR,
                     "the commit that is checked out", WRITER_STUDENT},
     [SYSTEM_OWN] = {"your own", "`WHO=`", WRITER_INSTRUCTOR,
-                    "the column `handed in` of your `LIST=`", WRITER_INSTRUCTOR},
+                    "the column `handed in` of your `LIST=` or `WHO=`", WRITER_INSTRUCTOR},
 };
 
-const Evidence *evidence_of(ExportSystem system)
+const SystemEvidence *evidence_of(ExportSystem system)
 {
     return &evidences[system];
 }

@@ -18,15 +18,15 @@ typedef enum Writer {
 // "no", "a student", "the system", "you": as the table in tests/INSTRUCTORS.md says it.
 const char *writer_words(Writer writer);
 
-typedef struct Evidence {
+typedef struct SystemEvidence {
     const char *title;     // the system's, for messages
     const char *identity;  // where it is written whose a submission is
     Writer identity_writer;
     const char *time;  // where it is written when it was handed in
     Writer time_writer;
-} Evidence;
+} SystemEvidence;
 
-const Evidence *evidence_of(ExportSystem system);
+const SystemEvidence *evidence_of(ExportSystem system);
 
 // The system with a title; SYSTEM_NONE for any other text.
 ExportSystem evidence_find(const char *title);

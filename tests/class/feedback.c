@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "csv_cell.h"
 #include "folder.h"
+#include "lateness.h"
 #include "output_file.h"
 #include "participant_fit.h"
 #include "path.h"
@@ -86,6 +87,11 @@ static void not_given(Giving *giving, const Row *row, const char *why)
 // Returns 0, or -1 after one message.
 static int parcel_hand(Giving *giving, const Parcel *parcel)
 {
+    const char *unknown = lateness_unknown(giving->gradebook, parcel->row);
+    if (unknown != NULL) {
+        not_given(giving, parcel->row, unknown);
+        return 0;
+    }
     const int given = giving->give(giving, parcel);
     giving->n_given += given > 0;
     if (given == 0) {

@@ -6,6 +6,7 @@
 #include "clean_text.h"
 #include "complain.h"
 #include "graded.h"
+#include "lateness.h"
 #include "path.h"
 #include "text_file.h"
 
@@ -78,7 +79,8 @@ int row_is_counted(const Gradebook *gradebook, const Row *row)
 
 int row_is_entered(const Gradebook *gradebook, const Row *row)
 {
-    return row_is_graded(row) || (row->status == ROW_NOTHING && gradebook->nothing_is_zero);
+    return (row_is_graded(row) && lateness_unknown(gradebook, row) == NULL) ||
+           (row->status == ROW_NOTHING && gradebook->nothing_is_zero);
 }
 
 // ---- One row ---------------------------------------------------------------------------------

@@ -34,6 +34,7 @@
 #include "look_alikes.h"
 #include "number.h"
 #include "option_table.h"
+#include "owners.h"
 #include "path.h"
 #include "tally.h"
 #include "text_file.h"
@@ -171,6 +172,20 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
     }
 }
 
+// What is not entered, and why.
+static void undecided_print(const Gradebook *gradebook, const Worksheet *worksheet)
+{
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        const char *why = tally_why_undecided(gradebook, worksheet, row);
+        if (why != NULL) {
+            complain("gradebook: %s: %s: \"%s\": %s",
+                     worksheet != NULL ? worksheet->path : gradebook->folder,
+                     worksheet != NULL ? "not entered" : "to be decided", row->entrant->entry, why);
+        }
+    }
+}
+
 // What the instructor uploads, and where.
 static void upload_print(const Worksheet *worksheet, const char *folder)
 {
@@ -182,6 +197,16 @@ static void upload_print(const Worksheet *worksheet, const char *folder)
     printf("To upload: %s/upload.csv, your list with the column \"%s\" filled in%s%s\n", folder,
            title, words != NULL ? ": " : "", words != NULL ? words : "");
     free(title);
+}
+
+// Is any row somebody's of the list?
+static int has_entered(const Worksheet *worksheet)
+{
+    int i = 0;
+    while (i < worksheet->n_rows && worksheet->entered[i].n_participants == 0) {
+        i++;
+    }
+    return i < worksheet->n_rows;
 }
 
 // How the class did, for the terminal. The last line counts everybody.
@@ -230,11 +255,14 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
     upload_print(worksheet, folder);
     if (n_open > 0) {
-        printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
+        const char *what = worksheet == NULL             ? "the time"
+                           : gradebook->lateness != NULL ? "the student or the time"
+                                                         : "the student";
+        printf("To be decided: write %s of each of %d into %s/who.csv, and give it as "
                "WHO=%s/who.csv\n",
-               n_open, folder, folder);
+               what, n_open, folder, folder);
     }
-    if (tally->has_list && tally->n_done == 0 && gradebook->n_graded > 0) {
+    if (worksheet != NULL && gradebook->n_graded > 0 && !has_entered(worksheet)) {
         printf("Nobody of the list handed in one of these: is it another course's?\n");
     }
     tally_write(stdout, tally);
@@ -244,15 +272,16 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
 // ---- A class with the instructor's lists ------------------------------------------------------
 
 typedef struct ListPaths {
-    ListGiven list;                 // its path is NULL where it was not given
-    const char *changes, *against;  // each NULL where it was not given
-    const char *due, *late;         // no paths (lateness.h); or NULL
+    ListGiven list;                       // its path is NULL where it was not given
+    const char *who, *changes, *against;  // each NULL where it was not given
+    const char *due, *late;               // no paths (lateness.h); or NULL
 } ListPaths;
 
 typedef struct Class {
     Gradebook gradebook;
     Worksheet worksheet;
     const Worksheet *list;  // the worksheet, or NULL
+    Decisions decisions;
     Corrections corrections;
     Lateness lateness;
 } Class;
@@ -264,6 +293,36 @@ static void outdated_drop(Gradebook *gradebook)
         Row *row = &gradebook->rows[i];
         row->status = row->status == ROW_OUTDATED ? ROW_NOT_GRADED : row->status;
     }
+}
+
+// The list of participants, and what the instructor decided. Returns 0, or -1 after one message.
+static int owners_load(const ListPaths *paths, const char *lab, Class *class)
+{
+    Gradebook *gradebook = &class->gradebook;
+    const ListGiven *list = &paths->list;
+    const int needs_list = list->column != NULL || (paths->who != NULL && paths->due == NULL);
+    if (list->path == NULL && needs_list) {
+        complain("gradebook: %s: found no list of participants beside it, expected LIST=",
+                 list->column != NULL ? list->column : paths->who);
+        return -1;
+    }
+    if (list->path != NULL) {
+        if (worksheet_load(list, lab, gradebook, &class->worksheet) != 0) {
+            return -1;
+        }
+        class->list = &class->worksheet;
+    }
+    if (paths->who != NULL) {
+        if (decisions_load(paths->who, gradebook, class->list, &class->decisions) != 0) {
+            return -1;
+        }
+        gradebook->decisions = &class->decisions;
+    }
+    if (class->list != NULL && owners_find(&class->worksheet, gradebook) != 0) {
+        complain("gradebook: %s: out of memory", list->path);
+        return -1;
+    }
+    return 0;
 }
 
 // Gather all. `lab`: the class is to be graded, as one of this lab; NULL: it was graded. Returns 0,
@@ -279,16 +338,8 @@ static int class_load(const char *folder, const char *lab, const ListPaths *path
         outdated_drop(gradebook);
     }
     lab = lab != NULL ? lab : gradebook->lab;
-    if (paths->list.path == NULL && (paths->list.decisions != NULL || paths->list.column != NULL)) {
-        complain("gradebook: %s: found no list of participants beside it, expected LIST=",
-                 paths->list.decisions != NULL ? paths->list.decisions : paths->list.column);
+    if (owners_load(paths, lab, class) != 0) {
         return -1;
-    }
-    if (paths->list.path != NULL) {
-        if (worksheet_load(&paths->list, lab, gradebook, &class->worksheet) != 0) {
-            return -1;
-        }
-        class->list = &class->worksheet;
     }
     if (paths->changes != NULL && lab == NULL) {
         complain("gradebook: %s: not applied, as nothing is graded", paths->changes);
@@ -310,6 +361,7 @@ static void class_free(Class *class)
 {
     lateness_free(&class->lateness);
     corrections_free(&class->corrections);
+    decisions_free(&class->decisions);
     worksheet_free(&class->worksheet);
     gradebook_free(&class->gradebook);
 }
@@ -319,7 +371,7 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
     Class class = {0};
     int result = paths->against != NULL ? gradebook_check_old(paths->against, lab) : 0;
     if (result == 0 &&
-        (paths->list.path != NULL || paths->list.column != NULL || paths->list.decisions != NULL ||
+        (paths->list.path != NULL || paths->list.column != NULL || paths->who != NULL ||
          paths->changes != NULL || paths->due != NULL || paths->late != NULL)) {
         result = class_load(folder, lab, paths, &class);
     }
@@ -354,8 +406,9 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, i
                        gradebook_slides(gradebook, slides) != 0 ||
                        (is_for_hall && gradebook_page_without_names(gradebook, hall) != 0) ||
                        (worksheet != NULL && upload_csv(gradebook, upload, worksheet) != 0) ||
-                       (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
+                       decisions_offer(gradebook, worksheet, &n_open) != 0;
     if (!failed) {
+        undecided_print(gradebook, worksheet);
         summary_print(gradebook, worksheet, &look_alikes, tally, n_open);
     }
     look_alikes_free(&look_alikes);
@@ -440,7 +493,7 @@ int main(int argc, char **argv)
         {.name = "list", .argument = "PARTICIPANTS", .place = PLACE(paths.list.path)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.list.path)},  // older
         {.name = "column", .argument = "TITLE", .place = PLACE(paths.list.column)},
-        {.name = "who", .argument = "WHO", .place = PLACE(paths.list.decisions)},
+        {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
         {.name = "due", .argument = "DUE", .place = PLACE(paths.due)},
         {.name = "late", .argument = "LATE", .place = PLACE(paths.late)},

@@ -242,11 +242,11 @@ static void person_enter(Search *search, int row, const Entrant *entrant)
 static int decided_enter(Search *search, int row)
 {
     Worksheet *worksheet = search->worksheet;
-    const Decisions *decisions = worksheet->decisions;
+    const Decisions *decisions = search->gradebook->decisions;
     int is_decided = 0;
     for (int i = 0; decisions != NULL && i < decisions->n; i++) {
         const Decision *decision = &decisions->all[i];
-        if (decision->row != row) {
+        if (decision->row != row || decision->kind == DECISION_TIME) {
             continue;
         }
         is_decided = 1;
@@ -291,7 +291,7 @@ static int version_leave(Search *search, int row)
 {
     int n;
     const Gradebook *gradebook = search->gradebook;
-    const Decisions *decisions = search->worksheet->decisions;
+    const Decisions *decisions = gradebook->decisions;
     const Row *first = row_versions(gradebook, &gradebook->rows[row], &n);
     for (int i = 0; decisions != NULL && i < decisions->n; i++) {
         const Row *decided = &gradebook->rows[decisions->all[i].row];

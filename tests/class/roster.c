@@ -123,12 +123,11 @@ static Entrant *entrant_add(Roster *roster, const Attempt *attempt, const char *
     roster->entrants = entrants;
     Entrant *entrant = &entrants[roster->n_entrants];
     entry_name_show(entry, strlen(entry), shown);
-    ExportSystem time_from;
-    char *time = entry_time(export, found, &time_from);
+    const EntryTime time = entry_time(export, attempt->begin, attempt->end);
     *entrant = (Entrant){.name = strdup(found->name.name),
-                         .time = time,
-                         .time_from = time_from,
-                         .is_late = entry_is_late(export, found),
+                         .time = time.text,
+                         .time_from = time.from,
+                         .is_late = time.is_late,
                          .number = strdup(found->name.number),
                          .entry = strdup(shown),
                          .slug = slug_new(roster, found->name.name, entry),

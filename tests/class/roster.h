@@ -14,7 +14,8 @@ typedef struct Entrant {
     char *number;  // the system's number of the student, team or submission, or ""
     char *entry;   // the entry's name, fit to be shown
     char *slug;    // the name of its files; unique
-    char *time;    // when it was handed in, as the system wrote it (moment.h), or ""
+    char *time;    // when it was handed in, as it is written there (moment.h), or ""; from nowhere:
+                   // what is there instead, in words, or ""
     ExportSystem time_from;  // where that is from, by the table of evidence.h
     int is_late;             // the system marked it so
     int attempt;             // 1, 2 ... of entries that a system's export gives to one student

@@ -2,8 +2,6 @@
 #include "worksheet.h"
 
 #include "complain.h"
-#include "decisions.h"
-#include "owners.h"
 #include "participant_fit.h"
 #include "sheet_number.h"
 
@@ -108,21 +106,6 @@ static int maxima_check(const Worksheet *worksheet)
     return 0;
 }
 
-static int decisions_take(Worksheet *worksheet, const char *path, const Gradebook *gradebook)
-{
-    Decisions decisions;
-    if (decisions_load(path, gradebook, worksheet, &decisions) != 0) {
-        return -1;
-    }
-    worksheet->decisions = malloc(sizeof decisions);
-    if (worksheet->decisions == NULL) {
-        decisions_free(&decisions);
-        return fault(path, "out of memory");
-    }
-    *worksheet->decisions = decisions;
-    return 0;
-}
-
 int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gradebook,
                    Worksheet *worksheet)
 {
@@ -140,14 +123,9 @@ int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gra
     worksheet->has_one_domain = has_one_domain(worksheet);
     if (persons_check(worksheet) != 0 ||
         list_columns_find(worksheet, given->column, lab != NULL ? atoi(lab) : -1) != 0 ||
-        maxima_check(worksheet) != 0 ||
-        (given->decisions != NULL && decisions_take(worksheet, given->decisions, gradebook) != 0)) {
+        maxima_check(worksheet) != 0) {
         worksheet_free(worksheet);
         return -1;
-    }
-    if (owners_find(worksheet, gradebook) != 0) {
-        worksheet_free(worksheet);
-        return fault(path, "out of memory");
     }
     return 0;
 }
@@ -164,10 +142,6 @@ void worksheet_free(Worksheet *worksheet)
         free(worksheet->entered[i].why_not);
     }
     free(worksheet->entered);
-    if (worksheet->decisions != NULL) {
-        decisions_free(worksheet->decisions);
-        free(worksheet->decisions);
-    }
     *worksheet = (Worksheet){0};
 }
 
