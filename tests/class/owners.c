@@ -103,8 +103,10 @@ static void enter_one(Search *search, int row, const char *member, const Lines *
         search->n_strangers++;
         say_why(search, row, "%s%s%sfits no line of the list", before, member, quote);
     } else {
-        say_why(search, row, "%s%s%sfits %d lines of the list, among them %d and %d", before,
-                member, quote, lines->n, lines->line[0], lines->line[1]);
+        say_why(search, row,
+                "%s%s%sfits %d lines of the list, among them %d and %d: if they are one student, "
+                "delete one",
+                before, member, quote, lines->n, lines->line[0], lines->line[1]);
     }
     for (int i = 0; i < lines->n; i++) {
         search->worksheet->participants[lines->line[i] - 1].is_fitted = 1;

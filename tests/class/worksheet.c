@@ -74,6 +74,46 @@ static int persons_check(const Worksheet *worksheet)
                              "\"Username\", \"ID number\" or \"Email\"");
 }
 
+// Do two lines have one number, login or address, and one name? Returns 1; 2: another name beside
+// one number of Moodle's, which a system gives to one student; else 0.
+static int lines_repeat(const Worksheet *worksheet, const Participant *a, const Participant *b)
+{
+    static const CellKind keys[] = {CELL_NUMBER, CELL_MAIL, CELL_SID, CELL_USER};
+    char name_a[ENTRY_NAME_BYTES], name_b[ENTRY_NAME_BYTES];
+    participant_name(worksheet, a, name_a), participant_name(worksheet, b, name_b);
+    const int is_same_name = strcmp(name_a, name_b) == 0;
+    int n_same = 0, n_other = 0, is_same_number = 0;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const char *key = participant_cell(worksheet, a, keys[i]);
+        const char *other = participant_cell(worksheet, b, keys[i]);
+        const int is_same = key[0] != '\0' && strcasecmp(key, other) == 0;
+        n_same += is_same;
+        n_other += !is_same && key[0] != '\0' && other[0] != '\0';
+        is_same_number |= is_same && keys[i] == CELL_NUMBER;
+    }
+    return is_same_name ? n_same > 0 && n_other == 0 : 2 * is_same_number;
+}
+
+// A student who is in the list twice would be entered nowhere. Returns 0, or -1 after one message.
+static int repeats_check(const Worksheet *worksheet)
+{
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        for (int k = 1; k < i; k++) {
+            const int repeats =
+                lines_repeat(worksheet, &worksheet->participants[k], &worksheet->participants[i]);
+            if (repeats != 0) {
+                return sheet_fault(worksheet->path, i + 1,
+                                   repeats == 1
+                                       ? "the student of line %d again: delete one of the two lines"
+                                       : "found the number of line %d under another name: correct "
+                                         "one, or delete it",
+                                   k + 1);
+            }
+        }
+    }
+    return 0;
+}
+
 // The maximum that a line has, and its decimal sign; the lab's, where it has none. Returns 0, or -1
 // when there is something else.
 static int maximum_read(const Worksheet *worksheet, const Participant *participant, int max_score,
@@ -121,7 +161,7 @@ int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gra
         return -1;
     }
     worksheet->has_one_domain = has_one_domain(worksheet);
-    if (persons_check(worksheet) != 0 ||
+    if (persons_check(worksheet) != 0 || repeats_check(worksheet) != 0 ||
         list_columns_find(worksheet, given->column, lab != NULL ? atoi(lab) : -1) != 0 ||
         maxima_check(worksheet) != 0) {
         worksheet_free(worksheet);

@@ -128,6 +128,14 @@ rm -r "$class/Team 14"
 check "teams: with groups" exits 0 run "$scratch/teams.out" --list "$scratch/groups.csv"
 check "teams: all of the group" sh -c "[ \$(grep -c '100.00' '$scratch/teams.out/upload.csv') -eq 3 ] && grep 40017 '$scratch/teams.out/upload.csv' | grep -q 100.00"
 
+# A student who is in the list twice, and one number under two names: said before anything is graded.
+sed '2{p;}' "$scratch/people.csv" >"$scratch/twice.csv"
+check "a line twice: refused" exits 2 run "$scratch/teams.out" --list "$scratch/twice.csv"
+check "a line twice: what to do" said "line 3: the student of line 2 again: delete one of the two lines"
+printf 'Identifier,"Full name",Grade\n"Participant 7","Ada Lovelace",\n"Participant 7","Grace Hopper",\n' >"$scratch/number.csv"
+check "one number, two names: refused" exits 2 run "$scratch/teams.out" --list "$scratch/number.csv"
+check "one number, two names: said" said "line 3: found the number of line 2 under another name"
+
 heart_ends
 
 # ---- Other systems ------------------------------------------------------------------------------
