@@ -142,26 +142,27 @@ static void nothing_write(FILE *page, const Gradebook *gradebook)
     fputs(n > 0 ? "</tbody></table></div>\n" : "", page);
 }
 
-// Entries that were entered for nobody, or not for all of a team.
+// Entries that were entered for nobody, or not for all of a team, or without a grade.
 static void undecided_write(FILE *page, const Gradebook *gradebook, const Worksheet *worksheet)
 {
     int n = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (!tally_is_undecided(gradebook, worksheet, row)) {
+        const char *why = tally_why_undecided(gradebook, worksheet, row);
+        if (why == NULL) {
             continue;
         }
         if (n++ == 0) {
             fputs(
-                "<h2 class=\"section\" id=\"undecided\">Whose is it?</h2>\n"
-                "<p class=\"soft\">The list does not say for certain who handed these in, so they "
-                "are entered for nobody. <code>who.csv</code>, in this folder or where you gave "
-                "it, has a line for each: write the student there, and give the file as "
-                "<code>WHO=</code>.</p>\n"
+                "<h2 class=\"section\" id=\"undecided\">To be decided by you</h2>\n"
+                "<p class=\"soft\">It is not certain who handed these in, or when. So no grade is "
+                "entered. <code>who.csv</code>, in this folder or where you gave it, has a line "
+                "for each: write the student, or the time under <code>handed in</code>, and give "
+                "the file as <code>WHO=</code>.</p>\n"
                 "<div class=\"card\"><table><tbody>\n",
                 page);
         }
-        listed_write(page, row, worksheet->entered[i].why_not);
+        listed_write(page, row, why);
     }
     fputs(n > 0 ? "</tbody></table></div>\n" : "", page);
 }
@@ -174,7 +175,8 @@ static void passed_over_write(FILE *page, const Roster *roster)
     fputs(
         "<h2 class=\"section\" id=\"passed-over\">Passed over</h2>\n"
         "<p class=\"soft\">Files of which no name says whose they are. If one is a student's, put "
-        "it into a folder with the student's name.</p>\n<div class=\"card\"><p class=\"names\">",
+        "it into a folder with the student's name. A list of a course system's name among them may "
+        "be a student's, so it decides nothing.</p>\n<div class=\"card\"><p class=\"names\">",
         page);
     for (int i = 0; i < roster->n_passed_over; i++) {
         fputs(i > 0 ? " &middot; " : "", page);
@@ -251,6 +253,9 @@ static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
     }
     if (lateness_is_late(lateness_of(gradebook, row))) {
         fputs(" <a class=\"soft\" href=\"#late\">late</a>", page);
+    }
+    if (lateness_unknown(gradebook, row) != NULL) {
+        fputs(" <a class=\"soft\" href=\"#undecided\">to be decided</a>", page);
     }
     fprintf(page, "</td><td class=\"number\"><b>%d</b> / %d", row->score, gradebook->max_score);
     html_score_bar(page, row->score, gradebook->max_score);

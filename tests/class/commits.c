@@ -105,7 +105,8 @@ int commits_take(const char *folder, Roster *roster)
     int is_ready = -1;  // not looked at yet
     for (int i = 0; i < roster->n_entrants; i++) {
         Entrant *entrant = &roster->entrants[i];
-        if (entrant->time[0] != '\0' || repository_find(folder, entrant, path) != 0) {
+        if (entrant->time_from != SYSTEM_NONE || entrant->time[0] != '\0' ||
+            repository_find(folder, entrant, path) != 0) {
             continue;
         }
         if (is_ready < 0) {
@@ -123,6 +124,7 @@ int commits_take(const char *folder, Roster *roster)
         }
         free(entrant->time);
         entrant->time = time;
+        entrant->time_from = time[0] != '\0' ? SYSTEM_GIT : SYSTEM_NONE;
     }
     return 0;
 }

@@ -14,14 +14,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { ENTRY, STUDENT, COUNTS, NAME, REASON, N_COLUMNS };
-static const char *const titles[N_COLUMNS] = {"entry", "student", "counts", "name", "reason"};
-static const char file_kind[] = "a list of entries and students";
+enum { ENTRY, STUDENT, COUNTS, HANDED_IN, NAME, REASON, N_COLUMNS };
+static const char *const titles[N_COLUMNS] = {"entry",     "student", "counts",
+                                              "handed in", "name",    "reason"};
+static const char file_kind[] = "a list of entries, their students and times";
 
 const char *decision_word(DecisionKind kind)
 {
-    static const char *const words[] = {
-        [DECISION_YES] = "yes", [DECISION_NO] = "no", [DECISION_IGNORE] = "ignore"};
+    static const char *const words[] = {[DECISION_YES] = "yes",
+                                        [DECISION_NO] = "no",
+                                        [DECISION_IGNORE] = "ignore",
+                                        [DECISION_TIME] = ""};
     return words[kind];
 }
 
@@ -80,6 +83,7 @@ static int participant_find(const Decisions *decisions, const Worksheet *workshe
 
 static int kind_read(const Decisions *decisions, const char *counts, Decision *decision)
 {
+    decision->kind = DECISION_YES;
     for (int kind = DECISION_YES; kind <= DECISION_IGNORE; kind++) {
         if (strcmp(counts, decision_word((DecisionKind)kind)) == 0) {
             decision->kind = (DecisionKind)kind;
@@ -100,14 +104,23 @@ static int kind_read(const Decisions *decisions, const char *counts, Decision *d
     return 0;
 }
 
-// A team's entry may be several participants', each once. Nothing else stands twice.
+// May two lines of one entry stand? A team's is several participants', each once. Nothing else
+// stands twice, and there is one time.
+static int is_compatible(const Decision *a, const Decision *b)
+{
+    const int is_one_time = a->handed_in[0] == '\0' || b->handed_in[0] == '\0' ||
+                            strcmp(a->handed_in, b->handed_in) == 0;
+    const int is_one_owner =
+        a->kind == DECISION_TIME || b->kind == DECISION_TIME ||
+        (a->kind == DECISION_YES && b->kind == DECISION_YES && a->participant != b->participant);
+    return is_one_time && is_one_owner;
+}
+
 static int contradiction_find(const Decisions *decisions, const Decision *decision)
 {
     for (int i = 0; i < decisions->n; i++) {
         const Decision *other = &decisions->all[i];
-        if (other->row == decision->row &&
-            (other->kind != DECISION_YES || decision->kind != DECISION_YES ||
-             other->participant == decision->participant)) {
+        if (other->row == decision->row && !is_compatible(other, decision)) {
             return sheet_fault(decisions->path, decision->line,
                                "line %d decides about the same entry already", other->line);
         }
@@ -122,18 +135,32 @@ static int contradiction_find(const Decisions *decisions, const Decision *decisi
     return 0;
 }
 
+static const char *cell_of(const SheetLine *line, int column)
+{
+    return column >= 0 ? line->cells[column] : "";
+}
+
 static int line_read(Decisions *decisions, const Gradebook *gradebook, const Worksheet *worksheet,
                      int i, const int *columns)
 {
     const SheetLine *line = &decisions->sheet.lines[i];
-    const char *counts = columns[COUNTS] >= 0 ? line->cells[columns[COUNTS]] : "";
-    Decision decision = {.line = i + 1, .student = line->cells[columns[STUDENT]]};
-    if (decision.student[0] == '\0' && counts[0] == '\0') {
+    Decision decision = {.line = i + 1,
+                         .kind = DECISION_TIME,
+                         .student = cell_of(line, columns[STUDENT]),
+                         .handed_in = cell_of(line, columns[HANDED_IN])};
+    const char *counts = cell_of(line, columns[COUNTS]);
+    const int says_whose = decision.student[0] != '\0' || counts[0] != '\0';
+    if (!says_whose && decision.handed_in[0] == '\0') {
         return 0;
     }
-    if (row_find(decisions, gradebook, line->cells[columns[ENTRY]], &decision) != 0 ||
-        kind_read(decisions, counts, &decision) != 0 ||
-        (decision.kind != DECISION_IGNORE &&
+    if (says_whose && worksheet == NULL) {
+        return sheet_fault(decisions->path, decision.line,
+                           "found whose an entry is, and no list of participants beside it, "
+                           "expected LIST=");
+    }
+    if (row_find(decisions, gradebook, cell_of(line, columns[ENTRY]), &decision) != 0 ||
+        (says_whose && kind_read(decisions, counts, &decision) != 0) ||
+        ((decision.kind == DECISION_YES || decision.kind == DECISION_NO) &&
          participant_find(decisions, worksheet, &decision) != 0) ||
         contradiction_find(decisions, &decision) != 0) {
         return -1;
@@ -150,7 +177,8 @@ int decisions_load(const char *path, const Gradebook *gradebook, const Worksheet
     Sheet *sheet = &decisions->sheet;
     int result = sheet_load(path, file_kind, sheet);
     if (result == 0) {
-        result = sheet_columns_find(sheet, path, titles, N_COLUMNS, STUDENT + 1, columns);
+        const int n_needed = worksheet != NULL ? STUDENT + 1 : ENTRY + 1;
+        result = sheet_columns_find(sheet, path, titles, N_COLUMNS, n_needed, columns);
     }
     if (result == 0) {
         decisions->all = calloc((size_t)sheet->n_lines, sizeof *decisions->all);
@@ -192,20 +220,21 @@ static int has_decisions(const char *path)
     if (sheet_load(path, file_kind, &sheet) != 0) {
         return 1;
     }
-    has = sheet_columns_find(&sheet, path, titles, N_COLUMNS, N_COLUMNS, columns) != 0;
+    has = sheet_columns_find(&sheet, path, titles, N_COLUMNS, STUDENT + 1, columns) != 0;
     for (int i = 1; !has && i < sheet.n_lines; i++) {
-        has = sheet.lines[i].cells[columns[STUDENT]][0] != '\0' ||
-              sheet.lines[i].cells[columns[COUNTS]][0] != '\0';
+        has = cell_of(&sheet.lines[i], columns[STUDENT])[0] != '\0' ||
+              cell_of(&sheet.lines[i], columns[COUNTS])[0] != '\0' ||
+              cell_of(&sheet.lines[i], columns[HANDED_IN])[0] != '\0';
     }
     sheet_free(&sheet);
     return has;
 }
 
-static void line_write(FILE *file, const Row *row, const char *student, const char *counts,
-                       const char *reason)
+static void line_write(FILE *file, const Row *row, const Decision *decision, const char *reason)
 {
-    const char *const cells[N_COLUMNS] = {row->entrant->slug, student, counts, row->entrant->entry,
-                                          reason};
+    const char *const cells[N_COLUMNS] = {
+        row->entrant->slug,  decision->student,   decision_word(decision->kind),
+        decision->handed_in, row->entrant->entry, reason};
     for (int i = 0; i < N_COLUMNS; i++) {
         fputs(i > 0 ? "," : "", file);
         csv_cell_write(file, cells[i]);
@@ -224,35 +253,35 @@ static int is_decided(const Decisions *decisions, int row)
 
 static void lines_write(FILE *file, const Gradebook *gradebook, const Worksheet *worksheet)
 {
-    const Decisions *decisions = worksheet->decisions;
+    static const Decision open = {.kind = DECISION_TIME, .student = "", .handed_in = ""};
+    const Decisions *decisions = gradebook->decisions;
     for (int i = 0; i < N_COLUMNS; i++) {
         fprintf(file, "%s%s", i > 0 ? "," : "", titles[i]);
     }
     fputc('\n', file);
     for (int i = 0; decisions != NULL && i < decisions->n; i++) {
-        const Decision *decision = &decisions->all[i];
-        const char *why_not = worksheet->entered[decision->row].why_not;
-        line_write(file, &gradebook->rows[decision->row], decision->student,
-                   decision_word(decision->kind), why_not != NULL ? why_not : "decided");
+        const Row *row = &gradebook->rows[decisions->all[i].row];
+        const char *why = tally_why_undecided(gradebook, worksheet, row);
+        line_write(file, row, &decisions->all[i], why != NULL ? why : "decided");
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (tally_is_undecided(gradebook, worksheet, row) &&
-            (decisions == NULL || !is_decided(decisions, i))) {
-            line_write(file, row, "", "", worksheet->entered[i].why_not);
+        const char *why = tally_why_undecided(gradebook, worksheet, row);
+        if (why != NULL && (decisions == NULL || !is_decided(decisions, i))) {
+            line_write(file, row, &open, why);
         }
     }
 }
 
 int decisions_offer(const Gradebook *gradebook, const Worksheet *worksheet, int *n_open)
 {
-    const Decisions *decisions = worksheet->decisions;
+    const Decisions *decisions = gradebook->decisions;
     char path[PATH_MAX];
     path_make(path, "%s/who.csv", gradebook->folder);
     *n_open = 0;
     int n = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
-        n += tally_is_undecided(gradebook, worksheet, &gradebook->rows[i]);
+        n += tally_why_undecided(gradebook, worksheet, &gradebook->rows[i]) != NULL;
     }
     const int is_given = decisions != NULL && is_same_file(path, decisions->path);
     if (!is_given && has_decisions(path)) {

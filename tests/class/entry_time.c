@@ -1,39 +1,68 @@
 // Finding the time of an attempt (see entry_time.h).
 #include "entry_time.h"
 
+#include "evidence.h"
+#include "export_entries.h"
+#include "ilias_name.h"
 #include "path.h"
 
 #include <dirent.h>
 #include <stdio.h>
 #include <string.h>
 
+// ---- ILIAS -------------------------------------------------------------------------------------
+
 enum { ILIAS_TIME_DIGITS = 14 };
 
-// The folder of an ILIAS student, whose files ILIAS has named. Returns 0, or -1 for anything else.
-static int ilias_folder(const Export *export, const Found *found, char path[PATH_MAX])
+// What the names of the files in a student's folder say.
+typedef struct IliasFiles {
+    int n, n_timed;              // how many there are, and how many have a time before their name
+    char time[24];               // the last of these, or ""
+    int is_late;                 // one is marked
+    char odd[ENTRY_NAME_BYTES];  // one that may be, in a language that is not known here; or ""
+} IliasFiles;
+
+// ILIAS has put "Late Submission - ", in its language, before the name, and made the whole ASCII.
+static int is_marked(const char *file)
 {
-    if (found->name.system != SYSTEM_ILIAS || !found->is_folder ||
-        !export_is_exact(export, found)) {
-        return -1;
+    static const char *const marks[] = {"Late Submission - ", "Verspätete Abgabe - "};
+    char ascii[64];
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
+        ilias_name_make(marks[i], ascii, sizeof ascii);
+        if (strncmp(file, marks[i], strlen(marks[i])) == 0 ||
+            strncmp(file, ascii, strlen(ascii)) == 0) {
+            return 1;
+        }
     }
-    path_make(path, "%s/%s", export->path, found->file);
     return 0;
 }
 
-// The last time of the files in a folder of ILIAS's, which writes it whatever a student calls them.
-// *is_late: one of them is marked.
-static void ilias_look(const char *folder, char time[24], int *is_late)
+// In other languages the mark is other words, which have no digits.
+static int may_be_marked(const char *file)
 {
-    static const char *const marks[] = {"Late Submission - ", "Verspätete Abgabe - "};
-    DIR *entries = opendir(folder);
+    const char *end = strstr(file, " - ");
+    return end != NULL && strcspn(file, "0123456789") > (size_t)(end - file);
+}
+
+static void ilias_folder_look(const char *path, IliasFiles *files)
+{
     struct dirent *entry;
+    DIR *entries = opendir(path);
     while (entries != NULL && (entry = readdir(entries)) != NULL) {
         const char *name = entry->d_name;
-        if (ilias_time_length(name) > 0 && strncmp(name, time, ILIAS_TIME_DIGITS) > 0) {
-            snprintf(time, 24, "%.*s", ILIAS_TIME_DIGITS, name);
+        if (export_is_extra(name)) {
+            continue;
         }
-        for (size_t m = 0; m < sizeof marks / sizeof *marks; m++) {
-            *is_late |= strncmp(name, marks[m], strlen(marks[m])) == 0;
+        files->n++;
+        if (ilias_time_length(name) > 0) {
+            files->n_timed++;
+            if (strncmp(name, files->time, ILIAS_TIME_DIGITS) > 0) {
+                snprintf(files->time, sizeof files->time, "%.*s", ILIAS_TIME_DIGITS, name);
+            }
+        } else if (is_marked(name)) {
+            files->is_late = 1;
+        } else if (may_be_marked(name)) {
+            entry_name_show(name, strlen(name), files->odd);
         }
     }
     if (entries != NULL) {
@@ -41,26 +70,95 @@ static void ilias_look(const char *folder, char time[24], int *is_late)
     }
 }
 
-char *entry_time(const Export *export, const Found *found)
+// The folder of an ILIAS student, or that of a team with its members'? Then its files are looked
+// at.
+static int ilias_look(const Export *export, const Found *found, IliasFiles *files)
 {
-    char path[PATH_MAX], time[24] = "";
-    int is_late = 0;
-    if (found->submitters != NULL) {
-        return strdup(found->submitters->time);
+    char path[PATH_MAX], member[PATH_MAX];
+    struct dirent *entry;
+    *files = (IliasFiles){0};
+    if (found->name.system != SYSTEM_ILIAS || !found->is_folder ||
+        !export_is_exact(export, found)) {
+        return 0;
     }
-    if (ilias_folder(export, found, path) == 0) {
-        ilias_look(path, time, &is_late);
-        return strdup(time);
+    path_make(path, "%s/%s", export->path, found->file);
+    if (!found->is_team) {
+        ilias_folder_look(path, files);
+        return 1;
     }
-    return strdup(export_is_exact(export, found) || found->is_listed ? found->name.time : "");
+    DIR *entries = opendir(path);
+    while (entries != NULL && (entry = readdir(entries)) != NULL) {
+        if (!export_is_extra(entry->d_name)) {
+            path_make(member, "%s/%s", path, entry->d_name);
+            ilias_folder_look(member, files);
+        }
+    }
+    if (entries != NULL) {
+        closedir(entries);
+    }
+    return 1;
 }
 
-int entry_is_late(const Export *export, const Found *found)
+static EntryTime ilias_time(const Export *export, const IliasFiles *files)
 {
-    char path[PATH_MAX], time[24] = "";
-    int is_late = export_is_exact(export, found) && found->name.is_late;
-    if (ilias_folder(export, found, path) == 0) {
-        ilias_look(path, time, &is_late);
+    char words[ENTRY_NAME_BYTES + 100] = "";
+    EntryTime time = {.from = SYSTEM_ILIAS, .is_late = files->is_late};
+    if (export->has_ilias_times && files->n_timed == files->n) {
+        time.text = strdup(files->time);
+        return time;
     }
-    return is_late;
+    // A mark decides; without one there may be a doubt.
+    if (!files->is_late && export->has_ilias_times) {
+        snprintf(words, sizeof words, "not all of its files have a time, which ILIAS wrote here");
+    } else if (!files->is_late && files->n_timed > 0) {
+        snprintf(words, sizeof words,
+                 "the name of a file begins with %s, which the student may have written",
+                 files->time);
+    } else if (!files->is_late && files->odd[0] != '\0') {
+        snprintf(words, sizeof words,
+                 "\"%s\" may begin with the mark of late work in a language that the grader does "
+                 "not know",
+                 files->odd);
+    }
+    time.from = words[0] != '\0' ? SYSTEM_NONE : SYSTEM_ILIAS;
+    time.text = strdup(words);
+    return time;
+}
+
+// ---- All ---------------------------------------------------------------------------------------
+
+// Does a system that writes no times mark what is late?
+static int has_marks(ExportSystem system)
+{
+    return system == SYSTEM_CANVAS;
+}
+
+EntryTime entry_time(const Export *export, int begin, int end)
+{
+    const Found *found = &export->found[begin];
+    const char *text = found->submitters != NULL ? found->submitters->time : found->name.time;
+    IliasFiles files;
+    if (ilias_look(export, found, &files)) {
+        return ilias_time(export, &files);
+    }
+    // Of Stud.IP's list the times are sure also where the owners are not.
+    EntryTime time = {.from = found->is_listed                 ? SYSTEM_STUDIP
+                              : export_is_exact(export, found) ? found->name.system
+                                                               : SYSTEM_NONE};
+    for (int i = begin; i < end && time.from != SYSTEM_NONE; i++) {
+        time.is_late |= export->found[i].name.is_late;
+    }
+    if (time.from == SYSTEM_BRIGHTSPACE && text[0] == '\0') {
+        text = "its name has two dates, or one in a form that the grader does not know";
+        time.from = SYSTEM_NONE;
+    } else if (time.from == SYSTEM_MOODLE) {
+        text = "only Moodle's grading worksheet (LIST=) can say it";
+        time.from = SYSTEM_NONE;
+    } else if (evidence_of(time.from)->time_writer != WRITER_SYSTEM ||
+               (text[0] == '\0' && !has_marks(time.from))) {
+        time.from = SYSTEM_NONE;
+        text = "";
+    }
+    time.text = strdup(text);
+    return time;
 }

@@ -4,14 +4,18 @@
 
 #include "export.h"
 
-// The time of an attempt as a text for moment_read(), "" where the export says none: Blackboard and
-// Brightspace have it in the names of files, Gradescope in its list, ILIAS before each file's name
-// in the student's folder, where the last one counts, Stud.IP
-// in its list of files. Owned, free() it; NULL when memory runs out.
-char *entry_time(const Export *export, const Found *found);
+typedef struct EntryTime {
+    char *text;  // for moment_read(), or "", or where `from` is SYSTEM_NONE what is there instead,
+                 // in words; owned, NULL when memory runs out
+    ExportSystem from;  // by which row of the table in evidence.h
+    int is_late;        // the system marked the attempt as late
+} EntryTime;
 
-// Did the system mark the attempt as late? Canvas does in the names of files, a newer ILIAS, which
-// writes no times, before the name of each file in the student's folder.
-int entry_is_late(const Export *export, const Found *found);
+// Blackboard and Brightspace have the time in the names of files, Gradescope and Stud.IP in their
+// lists, an older ILIAS before each file's name in the student's folder, where the last one counts.
+// Canvas and a newer ILIAS write no times but mark what is late: Canvas in the names of files,
+// ILIAS before the name of each file in the folder.
+//   begin, end   the attempt's entries
+EntryTime entry_time(const Export *export, int begin, int end);
 
 #endif

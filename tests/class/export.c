@@ -4,10 +4,12 @@
 #include "export.h"
 
 #include "complain.h"
+#include "evidence.h"
 #include "export_entries.h"
 #include "export_level.h"
 #include "export_system.h"
 #include "path.h"
+#include "studip_list.h"
 #include "studip_names.h"
 
 #include <stdlib.h>
@@ -47,7 +49,7 @@ static int pass_over(Export *export, const char *file)
 static int names_settle(Export *export)
 {
     int n = 0, failed = 0;
-    if (studip_names_read(export) == STUDIP_NONE) {
+    if (export->system == SYSTEM_NONE && !studip_names_read(export)) {
         export->system = export_system_find(export);
         export_names_read(export);
     }
@@ -112,6 +114,16 @@ static void passed_over_tell(const Export *export)
     for (int i = 0; i < export->n_passed_over; i++) {
         is_low = is_low || export_is_source(export->passed_over[i]);
     }
+    for (int i = 0; i < export->n_passed_over; i++) {
+        if (export_is_list(export->passed_over[i])) {
+            complain("gradebook: %s/%s: decides nothing: it is among what students handed in, so a "
+                     "student may have written it; %s",
+                     export->path, export->passed_over[i],
+                     strcmp(export->passed_over[i], STUDIP_NAMES_FILE) == 0
+                         ? "Stud.IP's own is above the folder of the files: export that folder"
+                         : "Gradescope's own is beside folders submission_NUMBER and nothing else");
+        }
+    }
     if (export->n_passed_over > 0) {
         complain(
             "gradebook: %s: passed over %d files, as no name says whose they are, such as \"%s\"%s",
@@ -140,19 +152,41 @@ static int names_compare(const void *left, const void *right)
     return strcmp(*(char *const *)left, *(char *const *)right);
 }
 
-// Gradescope's folders have numbers; who handed in is in a file beside them.
+// Gradescope's folders have numbers; who handed in is in a file beside them. A student may hand in a
+// file of this name: it counts only where all there is are such folders, and it names them all.
 static int submitters_read(Export *export)
 {
+    int n_lists = 0, n_named = 0;
     if (gradescope_names_load(export->path, &export->names) != 0) {
         return -1;
     }
     for (int i = 0; i < export->n_found; i++) {
         Found *found = &export->found[i];
-        found->submitters = gradescope_names_find(&export->names, found->file);
-        if (found->submitters != NULL) {
-            gradescope_names_join(found->submitters, found->name.name);
-        }
+        n_lists += found->is_loose && strcmp(found->file, GRADESCOPE_NAMES_FILE) == 0;
+        found->submitters = found->is_folder && found->name.number[0] != '\0'
+                                ? gradescope_names_find(&export->names, found->file)
+                                : NULL;
+        n_named += found->submitters != NULL;
     }
+    if (n_lists == 0 || n_named == 0 || n_lists + n_named < export->n_found) {
+        for (int i = 0; i < export->n_found; i++) {
+            export->found[i].submitters = NULL;
+        }
+        return 0;
+    }
+    int n = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        Found found = export->found[i];
+        if (found.submitters == NULL) {
+            free(found.file);
+            continue;
+        }
+        gradescope_names_join(found.submitters, found.name.name);
+        found.name.system = SYSTEM_GRADESCOPE;
+        export->found[n++] = found;
+    }
+    export->n_found = n;
+    export->system = SYSTEM_GRADESCOPE;
     return 0;
 }
 
@@ -177,6 +211,9 @@ int export_read(const char *submissions, int is_unpacked, int lab_number, Export
         result = export_entries_read(export, lab_number, INT_MAX);
     }
     if (result == 0) {
+        result = submitters_read(export);
+    }
+    if (result == 0) {
         result = names_settle(export);
     }
     if (result == 0) {
@@ -185,8 +222,8 @@ int export_read(const char *submissions, int is_unpacked, int lab_number, Export
                   names_compare);
         }
         passed_over_tell(export);
+        export_teams_tell(export);
         clones_name(export);
-        result = submitters_read(export);
     }
     if (result == 0 && export->n_found > 1) {
         qsort(export->found, (size_t)export->n_found, sizeof *export->found, found_compare);
@@ -202,15 +239,14 @@ void export_free(Export *export)
 
 int export_is_exact(const Export *export, const Found *found)
 {
-    return found->submitters != NULL ||
-           (export->system != SYSTEM_NONE && found->name.system == export->system);
+    return found->name.system == export->system &&
+           evidence_of(found->name.system)->identity_writer == WRITER_SYSTEM;
 }
 
 int export_is_same_student(const Export *export, const Found *a, const Found *b)
 {
-    return export->system != SYSTEM_NONE && a->name.system == export->system &&
-           b->name.system == export->system && strcmp(a->name.name, b->name.name) == 0 &&
-           strcmp(a->name.number, b->name.number) == 0;
+    return export_is_exact(export, a) && export_is_exact(export, b) &&
+           strcmp(a->name.name, b->name.name) == 0 && strcmp(a->name.number, b->name.number) == 0;
 }
 
 int export_attempt_end(const Export *export, int i)

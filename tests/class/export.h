@@ -14,9 +14,12 @@
 typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
-    unsigned systems;  // a bit for each ExportSystem that may have made the name
-    int has_times;     // a folder whose files ILIAS has named by their times
-    size_t n_title;    // Blackboard's: how many bytes the title before the login has
+    unsigned systems;   // a bit for each ExportSystem that may have made the name
+    unsigned readable;  // and for each as whose it can be read
+    int has_times;      // a folder of files that ILIAS has named by their times, and of no others
+    int has_untimed;    // a folder of other files
+    int is_team;        // a folder "Team 12" of nothing but folders of ILIAS', its members'
+    size_t n_title, n_login;  // Blackboard's: how many bytes the title and the login behind it have
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded
     int is_loose;  // a single file, or what a system has named as one of the files of an upload, be
@@ -33,6 +36,7 @@ typedef struct Export {
     char **passed_over;  // files of which no name says whose they are, fit to be shown
     int n_passed_over;
     ExportSystem system;  // the one that made most of the names, or SYSTEM_NONE
+    int has_ilias_times;  // ILIAS has written times before the files' names
     GradescopeNames names;
 } Export;
 
@@ -45,7 +49,7 @@ typedef struct Export {
 int export_read(const char *submissions, int is_unpacked, int lab_number, Export *export);
 void export_free(Export *export);
 
-// Did a course system make the names of this one, so that nobody else could choose them?
+// Has a course system written whose it is, so that nobody else could (evidence.h)?
 int export_is_exact(const Export *export, const Found *found);
 
 // Are two entries one student's, by names that a course system made? Any other name is chosen by

@@ -8,7 +8,6 @@
 #include "export_entries.h"
 #include "path.h"
 #include "settings.h"
-#include "studip_list.h"
 #include "unpack_run.h"
 
 #include <dirent.h>
@@ -80,7 +79,7 @@ static int is_of_student(const char *folder)
 // "class (1).zip".
 static void wrapper_enter(const char *archive, char unpacked[PATH_MAX])
 {
-    char name[NAME_MAX + 1], inner[PATH_MAX], from[PATH_MAX], to[PATH_MAX];
+    char name[NAME_MAX + 1], inner[PATH_MAX];
     const char *slash = strrchr(archive, '/');
     const char *file = slash != NULL ? slash + 1 : archive;
     const size_t n_stem = (size_t)archive_stem_length(file);
@@ -92,12 +91,6 @@ static void wrapper_enter(const char *archive, char unpacked[PATH_MAX])
     }
     if (!is_same) {
         complain("gradebook: %s: its only folder is graded: %s", file, name);
-    }
-    // Stud.IP's list of the files goes along, in place of one that a student may have handed in.
-    path_make(from, "%s/" STUDIP_NAMES_FILE, unpacked);
-    path_make(to, "%s/" STUDIP_NAMES_FILE, inner);
-    if (rename(from, to) != 0 && errno != ENOENT) {
-        complain("gradebook: %s: %s", to, strerror(errno));
     }
     memcpy(unpacked, inner, sizeof inner);
 }

@@ -8,8 +8,9 @@
 // be copied before anything else runs there.
 //   build     with tools/unpack
 //   folder    an empty one that others may pass; removed by the caller
-//   unpacked  out: the folder below it with what the archive holds; where that is nothing but a
-//             folder of the archive's own name, or one with several folders or archives, that one
+//   unpacked  out: FOLDER/unpack-0/out, with what the archive holds; where that is nothing but a
+//             folder of the archive's own name, or one with several folders or archives, that one:
+//             what is above it, such as Stud.IP's list, stays there
 // Returns 0, or -1 after one message on stderr.
 int export_archive_unpack(const char *build, const char *archive, const char *folder,
                           char unpacked[PATH_MAX]);

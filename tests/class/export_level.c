@@ -4,6 +4,7 @@
 #include "export_level.h"
 
 #include "complain.h"
+#include "evidence.h"
 #include "export_entries.h"
 #include "export_system.h"
 #include "path.h"
@@ -48,7 +49,7 @@ static int is_for_submissions(const char *folder)
 typedef struct Below {
     ExportSystem system;  // that made most of the names
     int has_students;     // two at least
-    int is_listed;        // Stud.IP's list beside the folder names them
+    int is_listed;        // Stud.IP's list beside the folder, above the files, names them
     int has_submissions;  // a folder "Abgaben", and this is its path
     char submissions[PATH_MAX];
 } Below;
@@ -60,7 +61,7 @@ static Below look_below(const char *folder, int lab_number)
     Below below = {.system = SYSTEM_NONE};
     path_make(inner.path, "%s", folder);
     if (export_entries_read(&inner, lab_number, MOST_LOOKED_AT) == 0) {
-        below.is_listed = studip_names_read(&inner) == STUDIP_ABOVE;
+        below.is_listed = studip_names_read(&inner);
         if (!below.is_listed) {
             inner.system = export_system_find(&inner);
             export_names_read(&inner);
@@ -103,7 +104,7 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     if (below.system != SYSTEM_NONE) {
         complain("gradebook: %s: the only entry, whose files look as if %s had named them; if it "
                  "is the export, %sgive this folder",
-                 inner, system_title(below.system), unpack_first(export));
+                 inner, evidence_of(below.system)->title, unpack_first(export));
     }
     return 0;
 }

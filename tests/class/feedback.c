@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "csv_cell.h"
 #include "folder.h"
+#include "lateness.h"
 #include "output_file.h"
 #include "participant_fit.h"
 #include "path.h"
@@ -86,6 +87,11 @@ static void not_given(Giving *giving, const Row *row, const char *why)
 // Returns 0, or -1 after one message.
 static int parcel_hand(Giving *giving, const Parcel *parcel)
 {
+    const char *unknown = lateness_unknown(giving->gradebook, parcel->row);
+    if (unknown != NULL) {
+        not_given(giving, parcel->row, unknown);
+        return 0;
+    }
     const int given = giving->give(giving, parcel);
     giving->n_given += given > 0;
     if (given == 0) {
@@ -148,7 +154,9 @@ static int all_hand(Giving *giving, const Worksheet *worksheet)
     }
     for (int i = 0; i < gradebook->n_rows && result == 0; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row->status != ROW_NOT_GRADED && row_that_counts(gradebook, row) == row) {
+        if (row->entrant->version > 0) {
+            not_given(giving, row, "it is one of several versions: decide with LIST= and WHO=");
+        } else if (row->status != ROW_NOT_GRADED && row_that_counts(gradebook, row) == row) {
             result = row_hand(giving, row);
         }
     }

@@ -209,12 +209,14 @@ trap 'exit 2' INT TERM HUP PIPE
 
 # An export that is an archive. The copy belongs to whoever grades: no student's code gets at it.
 if [ -f "$submissions" ]; then
+    # What is above the students' folder goes along: no student can have put it there.
+    top=$CLASS_WORK-export/unpack-0/out
     { mkdir -m 711 "$CLASS_WORK-export" &&
         unpacked=$("$CLASS_BUILD/tools/gradebook" unpack "$CLASS_BUILD" "$submissions" "$CLASS_WORK-export") &&
         rm -rf "$CLASS_FOLDER/export" &&
-        (umask 077 && cp -RPT --preserve=timestamps "$unpacked" "$CLASS_FOLDER/export") &&
+        (umask 077 && cp -RPT --preserve=timestamps "$top" "$CLASS_FOLDER/export") &&
         rm -rf "$CLASS_WORK-export"; } || exit 2
-    submissions=$CLASS_FOLDER/export
+    submissions=$CLASS_FOLDER/export${unpacked#"$top"}
 fi
 
 latest=

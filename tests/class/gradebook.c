@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "corrections.h"
 #include "graded.h"
+#include "lateness.h"
 #include "path.h"
 #include "text_file.h"
 
@@ -55,6 +56,18 @@ const Row *row_that_counts(const Gradebook *gradebook, const Row *row)
     return counts;
 }
 
+const Row *row_versions(const Gradebook *gradebook, const Row *row, int *n)
+{
+    const Row *end = gradebook->rows + gradebook->n_rows;
+    const Row *first = row - (row->entrant->version > 0 ? row->entrant->version - 1 : 0);
+    *n = 1;
+    while (first->entrant->version > 0 && first + *n < end &&
+           first[*n].entrant->version == *n + 1) {
+        ++*n;
+    }
+    return first;
+}
+
 int row_is_graded(const Row *row)
 {
     return row->status == ROW_GRADED || row->status == ROW_OUTDATED;
@@ -67,7 +80,8 @@ int row_is_counted(const Gradebook *gradebook, const Row *row)
 
 int row_is_entered(const Gradebook *gradebook, const Row *row)
 {
-    return row_is_graded(row) || (row->status == ROW_NOTHING && gradebook->nothing_is_zero);
+    return (row_is_graded(row) && lateness_unknown(gradebook, row) == NULL) ||
+           (row->status == ROW_NOTHING && gradebook->nothing_is_zero);
 }
 
 // ---- One row ---------------------------------------------------------------------------------

@@ -73,6 +73,7 @@ typedef struct Gradebook {
     int has_old_scores;   // there is something to compare with
     const struct Corrections *corrections;  // NULL: none were given (corrections.h)
     const struct Lateness *lateness;        // NULL: no deadline was given (lateness.h)
+    const struct Decisions *decisions;      // NULL: none were given (decisions.h)
     int has_no_names;                       // rows have numbers: made for the page without names
     Roster roster;
 } Gradebook;
@@ -105,13 +106,17 @@ const Row *row_that_counts(const Gradebook *gradebook, const Row *row);
 // full score that is nothing, nor is it a check whose points an instructor gave all the same.
 void row_fault_find(const Gradebook *gradebook, Row *row);
 
+// Of a row that is one of several versions (versions.h): the first of them, and how many there are.
+// Of any other row: itself, and 1.
+const Row *row_versions(const Gradebook *gradebook, const Row *row, int *n);
+
 // Was it graded? Only then its score counts in means and counts of passed checks.
 int row_is_graded(const Row *row);
 
 // Was it graded, and is it the attempt that counts? An earlier one is no other student's.
 int row_is_counted(const Gradebook *gradebook, const Row *row);
 
-// Does a row's score go into gradebooks?
+// Does a row's score go into gradebooks? Not where nobody knows whether it was in time.
 int row_is_entered(const Gradebook *gradebook, const Row *row);
 
 // The three files. Each appears whole or not at all; return 0, or -1 after one message.

@@ -11,6 +11,7 @@
 #include "moment.h"
 #include "output_file.h"
 #include "sheet_number.h"
+#include "tally.h"
 #include "upload_csv.h"
 #include "worksheet.h"
 
@@ -111,7 +112,9 @@ static void late_cells_write(FILE *file, const Gradebook *gradebook, const Row *
         return;
     }
     if (late == NULL || (!late->has_time && !late->is_marked)) {
-        empty_write(file, 3);
+        empty_write(file, 1);
+        cell_write(file, late != NULL && late->unknown != NULL ? "unknown" : "");
+        empty_write(file, 1);
         return;
     }
     if (late->has_time) {
@@ -193,7 +196,8 @@ static void participant_write(FILE *file, const Worksheet *worksheet,
                                                    : "no submission";
         no_row_write(file, gradebook, participant, why);
     } else {
-        row_write(file, gradebook, row, "");
+        const char *why = lateness_unknown(gradebook, row);
+        row_write(file, gradebook, row, why != NULL ? why : "");
     }
 }
 
@@ -236,24 +240,21 @@ static void grades_tell(const Worksheet *worksheet, const Gradebook *gradebook)
     }
 }
 
-// Rows that are not entered, or not for everybody: for the file, and for whoever runs this.
+// Rows that are not entered, or not for everybody.
 static void left_over_write(FILE *file, const Worksheet *worksheet, const Gradebook *gradebook)
 {
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Entered *entered = &worksheet->entered[i];
-        const Entrant *entrant = gradebook->rows[i].entrant;
+        const Row *row = &gradebook->rows[i];
         if (entered->n_participants > 0 && entered->why_not == NULL) {
             continue;
         }
+        const char *why = tally_why_undecided(gradebook, worksheet, row);
         empty_write(file, worksheet->n_columns);
-        row_write(file, gradebook, &gradebook->rows[i],
-                  entered->why_not != NULL    ? entered->why_not
+        row_write(file, gradebook, row,
+                  why != NULL                 ? why
                   : entered->left_out != NULL ? entered->left_out
                                               : "");
-        if (entered->why_not != NULL) {
-            complain("gradebook: %s: not entered: \"%s\": %s", worksheet->path, entrant->entry,
-                     entered->why_not);
-        }
     }
 }
 

@@ -76,6 +76,9 @@ static json_t *late_json(const LateRow *late)
         moment_stamp(late->handed_in, handed_in);
         json_object_set_new(json, "handed_in", json_string(handed_in));
     }
+    if (late->unknown != NULL) {
+        json_object_set_new(json, "unknown", json_string(late->unknown));
+    }
     return json;
 }
 

@@ -34,12 +34,14 @@
 #include "look_alikes.h"
 #include "number.h"
 #include "option_table.h"
+#include "owners.h"
 #include "path.h"
 #include "tally.h"
 #include "text_file.h"
 #include "upload_csv.h"
 #include "worksheet.h"
 
+#include <dirent.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,13 +74,38 @@ static int archive_unpack_and_print(const char *build, const char *archive, cons
     return EXIT_ALL_GRADED;
 }
 
+// The lab with a number, for the names of its files; without files where there is none. Returns 0,
+// or -1 after one message.
+static int lab_find(int number, Manifest *manifest)
+{
+    struct dirent *entry;
+    char lab[NAME_MAX + 1] = "";
+    DIR *labs = opendir("labs");
+    *manifest = (Manifest){0};
+    while (labs != NULL && (entry = readdir(labs)) != NULL) {
+        int n = -1;
+        if (sscanf(entry->d_name, "%2d-", &n) == 1 && n == number) {
+            snprintf(lab, sizeof lab, "%s", entry->d_name);
+        }
+    }
+    if (labs != NULL) {
+        closedir(labs);
+    }
+    return lab[0] != '\0' ? manifest_load_file(NULL, lab, manifest) : 0;
+}
+
 static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest,
                        int has_commits)
 {
     char path[PATH_MAX];
     path_make(path, "%s/roster.json", folder);
-    Roster roster;
-    int result = roster_read(submissions, lab_number, only_latest, folder, &roster);
+    Manifest manifest;
+    Roster roster = {0};
+    int result = lab_find(lab_number, &manifest);
+    if (result == 0) {
+        result = roster_read(submissions, lab_number, &manifest, only_latest, folder, &roster);
+        manifest_free(&manifest);
+    }
     if (result == 0 && has_commits) {
         result = commits_take(folder, &roster);
     }
@@ -100,8 +127,12 @@ static void look_alikes_print(const LookAlikes *look_alikes)
     for (int i = 0; i < look_alikes->n_groups; i++) {
         const LookAlike *group = &look_alikes->groups[i];
         for (int r = 0; r < group->n_rows; r++) {
+            const Row *row = group->rows[r];
             printf("%s\"%s\"", r == 0 ? "perhaps one person, each with a row: " : ", ",
-                   group->rows[r]->entrant->entry);
+                   row->entrant->entry);
+            if (row->entrant->version > 0) {
+                printf(" (a version that earns %d)", row->score);
+            }
         }
         printf("\n");
     }
@@ -141,6 +172,20 @@ static void faults_print(const Gradebook *gradebook, const char *folder)
     }
 }
 
+// What is not entered, and why.
+static void undecided_print(const Gradebook *gradebook, const Worksheet *worksheet)
+{
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        const Row *row = &gradebook->rows[i];
+        const char *why = tally_why_undecided(gradebook, worksheet, row);
+        if (why != NULL) {
+            complain("gradebook: %s: %s: \"%s\": %s",
+                     worksheet != NULL ? worksheet->path : gradebook->folder,
+                     worksheet != NULL ? "not entered" : "to be decided", row->entrant->entry, why);
+        }
+    }
+}
+
 // What the instructor uploads, and where.
 static void upload_print(const Worksheet *worksheet, const char *folder)
 {
@@ -152,6 +197,16 @@ static void upload_print(const Worksheet *worksheet, const char *folder)
     printf("To upload: %s/upload.csv, your list with the column \"%s\" filled in%s%s\n", folder,
            title, words != NULL ? ": " : "", words != NULL ? words : "");
     free(title);
+}
+
+// Is any row somebody's of the list?
+static int has_entered(const Worksheet *worksheet)
+{
+    int i = 0;
+    while (i < worksheet->n_rows && worksheet->entered[i].n_participants == 0) {
+        i++;
+    }
+    return i < worksheet->n_rows;
 }
 
 // How the class did, for the terminal. The last line counts everybody.
@@ -200,11 +255,14 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
     printf("Gradebook: %s/gradebook.csv, %s/gradebook.json\n", folder, folder);
     upload_print(worksheet, folder);
     if (n_open > 0) {
-        printf("To be decided: write the student of each of %d into %s/who.csv, and give it as "
+        const char *what = worksheet == NULL             ? "the time"
+                           : gradebook->lateness != NULL ? "the student or the time"
+                                                         : "the student";
+        printf("To be decided: write %s of each of %d into %s/who.csv, and give it as "
                "WHO=%s/who.csv\n",
-               n_open, folder, folder);
+               what, n_open, folder, folder);
     }
-    if (tally->has_list && tally->n_done == 0 && gradebook->n_graded > 0) {
+    if (worksheet != NULL && gradebook->n_graded > 0 && !has_entered(worksheet)) {
         printf("Nobody of the list handed in one of these: is it another course's?\n");
     }
     tally_write(stdout, tally);
@@ -214,15 +272,16 @@ static void summary_print(const Gradebook *gradebook, const Worksheet *worksheet
 // ---- A class with the instructor's lists ------------------------------------------------------
 
 typedef struct ListPaths {
-    ListGiven list;                 // its path is NULL where it was not given
-    const char *changes, *against;  // each NULL where it was not given
-    const char *due, *late;         // no paths (lateness.h); or NULL
+    ListGiven list;                       // its path is NULL where it was not given
+    const char *who, *changes, *against;  // each NULL where it was not given
+    const char *due, *late;               // no paths (lateness.h); or NULL
 } ListPaths;
 
 typedef struct Class {
     Gradebook gradebook;
     Worksheet worksheet;
     const Worksheet *list;  // the worksheet, or NULL
+    Decisions decisions;
     Corrections corrections;
     Lateness lateness;
 } Class;
@@ -234,6 +293,36 @@ static void outdated_drop(Gradebook *gradebook)
         Row *row = &gradebook->rows[i];
         row->status = row->status == ROW_OUTDATED ? ROW_NOT_GRADED : row->status;
     }
+}
+
+// The list of participants, and what the instructor decided. Returns 0, or -1 after one message.
+static int owners_load(const ListPaths *paths, const char *lab, Class *class)
+{
+    Gradebook *gradebook = &class->gradebook;
+    const ListGiven *list = &paths->list;
+    const int needs_list = list->column != NULL || (paths->who != NULL && paths->due == NULL);
+    if (list->path == NULL && needs_list) {
+        complain("gradebook: %s: found no list of participants beside it, expected LIST=",
+                 list->column != NULL ? list->column : paths->who);
+        return -1;
+    }
+    if (list->path != NULL) {
+        if (worksheet_load(list, lab, gradebook, &class->worksheet) != 0) {
+            return -1;
+        }
+        class->list = &class->worksheet;
+    }
+    if (paths->who != NULL) {
+        if (decisions_load(paths->who, gradebook, class->list, &class->decisions) != 0) {
+            return -1;
+        }
+        gradebook->decisions = &class->decisions;
+    }
+    if (class->list != NULL && owners_find(&class->worksheet, gradebook) != 0) {
+        complain("gradebook: %s: out of memory", list->path);
+        return -1;
+    }
+    return 0;
 }
 
 // Gather all. `lab`: the class is to be graded, as one of this lab; NULL: it was graded. Returns 0,
@@ -249,16 +338,8 @@ static int class_load(const char *folder, const char *lab, const ListPaths *path
         outdated_drop(gradebook);
     }
     lab = lab != NULL ? lab : gradebook->lab;
-    if (paths->list.path == NULL && (paths->list.decisions != NULL || paths->list.column != NULL)) {
-        complain("gradebook: %s: found no list of participants beside it, expected LIST=",
-                 paths->list.decisions != NULL ? paths->list.decisions : paths->list.column);
+    if (owners_load(paths, lab, class) != 0) {
         return -1;
-    }
-    if (paths->list.path != NULL) {
-        if (worksheet_load(&paths->list, lab, gradebook, &class->worksheet) != 0) {
-            return -1;
-        }
-        class->list = &class->worksheet;
     }
     if (paths->changes != NULL && lab == NULL) {
         complain("gradebook: %s: not applied, as nothing is graded", paths->changes);
@@ -280,6 +361,7 @@ static void class_free(Class *class)
 {
     lateness_free(&class->lateness);
     corrections_free(&class->corrections);
+    decisions_free(&class->decisions);
     worksheet_free(&class->worksheet);
     gradebook_free(&class->gradebook);
 }
@@ -289,7 +371,7 @@ static int gradebook_check(const char *lab, const char *folder, const ListPaths 
     Class class = {0};
     int result = paths->against != NULL ? gradebook_check_old(paths->against, lab) : 0;
     if (result == 0 &&
-        (paths->list.path != NULL || paths->list.column != NULL || paths->list.decisions != NULL ||
+        (paths->list.path != NULL || paths->list.column != NULL || paths->who != NULL ||
          paths->changes != NULL || paths->due != NULL || paths->late != NULL)) {
         result = class_load(folder, lab, paths, &class);
     }
@@ -324,8 +406,9 @@ static int files_write(const Gradebook *gradebook, const Worksheet *worksheet, i
                        gradebook_slides(gradebook, slides) != 0 ||
                        (is_for_hall && gradebook_page_without_names(gradebook, hall) != 0) ||
                        (worksheet != NULL && upload_csv(gradebook, upload, worksheet) != 0) ||
-                       (worksheet != NULL && decisions_offer(gradebook, worksheet, &n_open) != 0);
+                       decisions_offer(gradebook, worksheet, &n_open) != 0;
     if (!failed) {
+        undecided_print(gradebook, worksheet);
         summary_print(gradebook, worksheet, &look_alikes, tally, n_open);
     }
     look_alikes_free(&look_alikes);
@@ -410,7 +493,7 @@ int main(int argc, char **argv)
         {.name = "list", .argument = "PARTICIPANTS", .place = PLACE(paths.list.path)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.list.path)},  // older
         {.name = "column", .argument = "TITLE", .place = PLACE(paths.list.column)},
-        {.name = "who", .argument = "WHO", .place = PLACE(paths.list.decisions)},
+        {.name = "who", .argument = "WHO", .place = PLACE(paths.who)},
         {.name = "changes", .argument = "CHANGES", .place = PLACE(paths.changes)},
         {.name = "due", .argument = "DUE", .place = PLACE(paths.due)},
         {.name = "late", .argument = "LATE", .place = PLACE(paths.late)},

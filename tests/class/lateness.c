@@ -1,8 +1,9 @@
-// Who was late, and what it costs (see lateness.h). Read next: lateness_tell.c.
+// Who was late, and what it costs (see lateness.h). Read next: late_times.c, lateness_tell.c.
 #include "lateness.h"
 
 #include "complain.h"
 #include "corrections.h"
+#include "late_times.h"
 #include "moment.h"
 
 #include <stdlib.h>
@@ -84,7 +85,8 @@ static int late_read(const char *late, Lateness *lateness)
             unit_of(unit) == 0) {
             return -1;
         }
-        lateness->limit = limit * unit_of(unit);
+        lateness->limit = limit;
+        lateness->limit_unit = unit_of(unit);
         late += length;
     }
     lateness->takes_points = 1;
@@ -113,53 +115,14 @@ int lateness_read(const char *due, const char *late, Lateness *lateness)
 
 void lateness_free(Lateness *lateness)
 {
+    for (int i = 0; lateness->rows != NULL && i < lateness->n_rows; i++) {
+        free(lateness->rows[i].unknown);
+    }
     free(lateness->rows);
     *lateness = (Lateness){0};
 }
 
-// ---- When --------------------------------------------------------------------------------------
-
-// The column of a list that says when, the instructor's own before Moodle's; -1: none.
-static int time_column(const Worksheet *worksheet)
-{
-    static const char *const own[] = {"handed in", "abgegeben", NULL};
-    static const char *const moodle[] = {"Last modified (submission)", "Zuletzt geändert (Abgabe)",
-                                         NULL};
-    if (worksheet == NULL) {
-        return -1;
-    }
-    const int column = worksheet_column(worksheet, own);
-    return column >= 0 ? column : worksheet_column(worksheet, moodle);
-}
-
-// Of a team each member has a time: the last counts.
-static void time_take(LateRow *late, time_t moment)
-{
-    late->handed_in = !late->has_time || moment > late->handed_in ? moment : late->handed_in;
-    late->has_time = 1;
-}
-
-// The times of the list. Returns 0, or -1 after one message.
-static int list_read(Lateness *lateness, const Gradebook *gradebook, const Worksheet *worksheet)
-{
-    const int column = time_column(worksheet);
-    for (int i = 1; column >= 0 && i < worksheet->n_participants; i++) {
-        const Participant *participant = &worksheet->participants[i];
-        const char *cell = participant->cells[column];
-        time_t moment;
-        if (participant->row == NULL || cell[0] == '\0' || strcmp(cell, "-") == 0) {
-            continue;
-        }
-        if (moment_read(cell, &moment) != 0) {
-            complain("gradebook: %s: line %d, \"%s\": found \"%s\", expected a time such as "
-                     "2026-11-25 23:05",
-                     worksheet->path, i + 1, worksheet->participants[0].cells[column], cell);
-            return -1;
-        }
-        time_take(&lateness->rows[participant->row - gradebook->rows], moment);
-    }
-    return 0;
-}
+// ---- A row -------------------------------------------------------------------------------------
 
 // More time, to the end of that day; else the deadline.
 static time_t due_of(const Lateness *lateness, const Gradebook *gradebook, const Row *row)
@@ -171,8 +134,6 @@ static time_t due_of(const Lateness *lateness, const Gradebook *gradebook, const
     return moment_read(text, &extended) == 0 && extended > lateness->due ? extended : lateness->due;
 }
 
-// ---- A row -------------------------------------------------------------------------------------
-
 const LateRow *lateness_of(const Gradebook *gradebook, const Row *row)
 {
     return gradebook->lateness != NULL ? &gradebook->lateness->rows[row - gradebook->rows] : NULL;
@@ -183,15 +144,29 @@ int lateness_is_late(const LateRow *late)
     return late != NULL && (late->seconds > 0 || late->is_marked);
 }
 
+const char *lateness_unknown(const Gradebook *gradebook, const Row *row)
+{
+    const LateRow *late = lateness_of(gradebook, row);
+    return late != NULL ? late->unknown : NULL;
+}
+
 // ---- Points ------------------------------------------------------------------------------------
+
+// A minute that was named counts as its beginning: all of 23:59 is in time.
+static time_t minute_begin(const LateRow *late)
+{
+    return late->handed_in - (MINUTE - 1);
+}
 
 // How many units have begun since it was due. Days are those of the calendar, whose clocks may have
 // gone back or forward between.
 static long units_begun(const LateRow *late, long unit)
 {
-    long n = (late->seconds + unit - 1) / unit;
-    n -= n > 1 && late->handed_in <= moment_later(late->due, (n - 1) * unit);
-    n += late->handed_in > moment_later(late->due, n * unit);
+    const time_t handed_in = minute_begin(late);
+    long n = (long)(handed_in - late->due) / unit;
+    while (handed_in > moment_later(late->due, n, unit)) {
+        n++;
+    }
     return n;
 }
 
@@ -201,8 +176,9 @@ static int points_off(const Lateness *lateness, const LateRow *late, int score, 
     if (!lateness->takes_points || !lateness_is_late(late)) {
         return 0;
     }
-    if (!late->is_marked) {
-        if (lateness->limit > 0 && late->handed_in > moment_later(late->due, lateness->limit)) {
+    if (late->has_time) {
+        if (lateness->limit > 0 &&
+            minute_begin(late) > moment_later(late->due, lateness->limit, lateness->limit_unit)) {
             return score;
         }
         n_units = lateness->unit > 0 ? units_begun(late, lateness->unit) : 1;
@@ -213,41 +189,36 @@ static int points_off(const Lateness *lateness, const LateRow *late, int score, 
     return off < score ? (int)off : score;
 }
 
-static void row_judge(const Lateness *lateness, const Gradebook *gradebook, const Row *row,
-                      LateRow *late)
+static void row_judge(const Lateness *lateness, const Gradebook *gradebook, Row *row, LateRow *late)
 {
-    time_t moment;
-    if (!late->has_time && moment_read(row->entrant->time, &moment) == 0) {
-        time_take(late, moment);
-    }
-    late->due = due_of(lateness, gradebook, row);
     if (late->has_time) {
-        // All of the minute that was named is in time.
         const long seconds = (long)(late->handed_in - late->due);
         late->seconds = seconds >= MINUTE ? seconds : 0;
-    } else {
-        // The system knows nothing of an extension given here.
-        late->is_marked = row->entrant->is_late && late->due == lateness->due;
+        late->is_marked = late->is_marked && late->seconds == 0;
+        late->has_time = !late->is_marked;
     }
     if (row_is_graded(row)) {
         late->off = points_off(lateness, late, row->score, gradebook->max_score);
+        row->score -= late->off;
     }
 }
 
 int lateness_apply(Lateness *lateness, Gradebook *gradebook, const Worksheet *worksheet)
 {
     lateness->rows = calloc((size_t)gradebook->n_rows + 1, sizeof *lateness->rows);
+    lateness->n_rows = gradebook->n_rows;
     if (lateness->rows == NULL) {
         complain("gradebook: %s: out of memory", gradebook->folder);
         return -1;
     }
-    if (list_read(lateness, gradebook, worksheet) != 0) {
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        lateness->rows[i].due = due_of(lateness, gradebook, &gradebook->rows[i]);
+    }
+    if (late_times_find(lateness, gradebook, worksheet) != 0) {
         return -1;
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
-        Row *row = &gradebook->rows[i];
-        row_judge(lateness, gradebook, row, &lateness->rows[i]);
-        row->score -= lateness->rows[i].off;
+        row_judge(lateness, gradebook, &gradebook->rows[i], &lateness->rows[i]);
     }
     gradebook->lateness = lateness;
     return 0;

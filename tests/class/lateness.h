@@ -1,8 +1,9 @@
 // Late work: who handed in after the deadline, and the points that this costs, `DUE=` and `LATE=`.
 //
-// When something was handed in is known from a column of the list of participants, or from what the
-// course system wrote (Entrant.time). Tasks keep their points: what lateness costs is taken from
-// the sum, after the instructor's corrections. Read next: lateness.c, moment.h.
+// When something was handed in is what the instructor says, or what the course system wrote. What a
+// student can write decides nothing (evidence.h): such a row is the instructor's to decide, as one
+// of which nobody knows the time. Tasks keep their points: what lateness costs is taken from the
+// sum, after the instructor's corrections. Read next: lateness.c, late_times.h, moment.h.
 #ifndef CLASS_LATENESS_H
 #define CLASS_LATENESS_H
 
@@ -14,10 +15,14 @@
 typedef struct LateRow {
     int has_time;
     time_t handed_in;
-    int is_marked;  // no time, but the system's mark that it was late
-    time_t due;     // the deadline, or the end of the last day of the student's extension
-    long seconds;   // after that; 0: in time, or not known
-    int off;        // the points taken off
+    int is_marked;    // no time, but somebody's word that it was late
+    int is_unmarked;  // no time either: the system marks late work, and has not marked this
+    int is_said;      // the instructor said it
+    char *unknown;    // why nobody can say whether it was in time, behind why nobody can say whose
+                      // it is; NULL: it is known
+    time_t due;       // the deadline, or the end of the last day of the student's extension
+    long seconds;     // after that; 0: in time, or not known
+    int off;          // the points taken off
 } LateRow;
 
 // Room for a duration.
@@ -28,9 +33,11 @@ typedef struct Lateness {
     int takes_points;  // else lateness is only shown
     int amount;        // points, or percent of the lab's points
     int is_percent;
-    long unit;      // for each so many seconds begun; 0: once
-    long limit;     // later than this earns nothing; 0: no limit
-    LateRow *rows;  // [n_rows] of the gradebook; NULL before lateness_apply()
+    long unit;  // for each so many seconds begun; 0: once
+    long limit,
+        limit_unit;  // later than so many units of so many seconds earns nothing; 0: no limit
+    LateRow *rows;   // [n_rows] of the gradebook; NULL before lateness_apply()
+    int n_rows;
 } Lateness;
 
 // Read what make was given.
@@ -53,6 +60,9 @@ const LateRow *lateness_of(const Gradebook *gradebook, const Row *row);
 // Was it handed in late? NULL: no deadline was given, so nothing was.
 int lateness_is_late(const LateRow *late);
 
+// Its `unknown`, for which it is to be decided; NULL also where no deadline was given.
+const char *lateness_unknown(const Gradebook *gradebook, const Row *row);
+
 // "handed in 2026-11-26 10:05 CET, 10 h 5 min late: 10 points off", not escaped; nothing where the
 // row is not late.
 void lateness_write(FILE *file, const Gradebook *gradebook, const Row *row);
@@ -60,10 +70,10 @@ void lateness_write(FILE *file, const Gradebook *gradebook, const Row *row);
 // How late: "10 h 5 min", "2 days 3 h".
 void lateness_duration(long seconds, char text[LATENESS_BYTES]);
 
-// For the terminal: the deadline with its zone, how many were late, and of how many nobody knows.
+// For the terminal: the deadline with its zone, how many were late, and whose word that is.
 void lateness_tell(const Gradebook *gradebook);
 
-// The section of the class page: all who were late, and those of whom no time is known.
+// The section of the class page: all who were late.
 void lateness_class_write(FILE *page, const Gradebook *gradebook);
 
 #endif

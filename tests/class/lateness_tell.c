@@ -2,6 +2,7 @@
 #include "lateness.h"
 
 #include "class_page.h"
+#include "evidence.h"
 #include "moment.h"
 
 #include <stdio.h>
@@ -33,7 +34,9 @@ static void when_write(FILE *file, const LateRow *late)
 {
     char when[MOMENT_BYTES], by[LATENESS_BYTES];
     if (late->is_marked) {
-        fputs("late, as the course system says, at a time that it does not say", file);
+        fputs(late->is_said ? "late"
+                            : "late, as the course system says, at a time that it does not say",
+              file);
         return;
     }
     moment_write(late->handed_in, when);
@@ -54,22 +57,32 @@ void lateness_write(FILE *file, const Gradebook *gradebook, const Row *row)
     }
 }
 
-static int is_unknown(const LateRow *late)
+// A system that writes no times has marked what is late by its own deadline. Its name, and of how
+// many that is all that is known; NULL: of none.
+static const char *marks_find(const Gradebook *gradebook, int *n)
 {
-    return !late->has_time && !late->is_marked;
+    const char *system = NULL;
+    *n = 0;
+    for (int i = 0; i < gradebook->n_rows; i++) {
+        if (gradebook->lateness->rows[i].is_unmarked) {
+            system = evidence_of(gradebook->rows[i].entrant->time_from)->title;
+            (*n)++;
+        }
+    }
+    return system;
 }
 
 void lateness_tell(const Gradebook *gradebook)
 {
     const Lateness *lateness = gradebook->lateness;
-    int n_late = 0, n_unknown = 0, n_off = 0;
+    int n_late = 0, n_unknown = 0, n_off = 0, n_unmarked;
     char due[MOMENT_BYTES];
     if (lateness == NULL) {
         return;
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
         n_late += lateness_is_late(&lateness->rows[i]);
-        n_unknown += is_unknown(&lateness->rows[i]);
+        n_unknown += lateness->rows[i].unknown != NULL;
         n_off += lateness->rows[i].off;
     }
     moment_write(lateness->due, due);
@@ -77,11 +90,12 @@ void lateness_tell(const Gradebook *gradebook)
     if (lateness->takes_points) {
         printf(", %d points off", n_off);
     }
-    printf("\n");
-    if (n_unknown > 0) {
-        printf(
-            "of %d submissions no time is known: they count as handed in time (see class.html)\n",
-            n_unknown);
+    printf(n_unknown > 0 ? ", of %d nobody knows\n" : "\n", n_unknown);
+    const char *system = marks_find(gradebook, &n_unmarked);
+    if (system != NULL) {
+        printf("%s writes no times: %d without its mark of late work count as in time. That holds "
+               "only if your assignment there has the same deadline\n",
+               system, n_unmarked);
     }
 }
 
@@ -107,24 +121,6 @@ static void late_row_write(FILE *page, const Gradebook *gradebook, const Row *ro
     }
 }
 
-static void unknown_write(FILE *page, const Gradebook *gradebook)
-{
-    int n = 0;
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        if (!is_unknown(&gradebook->lateness->rows[i])) {
-            continue;
-        }
-        fputs(n++ == 0
-                  ? "<p class=\"soft\">Nobody knows when these were handed in, so they count as "
-                    "handed in time. A column <code>handed in</code> in the list of "
-                    "participants would say it.</p>\n<div class=\"card\"><p class=\"names\">"
-                  : " &middot; ",
-              page);
-        class_name_write(page, &gradebook->rows[i]);
-    }
-    fputs(n > 0 ? "</p></div>\n" : "", page);
-}
-
 void lateness_class_write(FILE *page, const Gradebook *gradebook)
 {
     const Lateness *lateness = gradebook->lateness;
@@ -142,7 +138,15 @@ void lateness_class_write(FILE *page, const Gradebook *gradebook)
               "points.",
               page);
     }
+    const char *system = marks_find(gradebook, &n);
+    if (system != NULL) {
+        fprintf(page,
+                " %s writes no times: %d submissions without its mark of late work count as in "
+                "time. That holds only if the assignment there has the same deadline.",
+                system, n);
+    }
     fputs("</p>\n", page);
+    n = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         if (!lateness_is_late(&lateness->rows[i])) {
             continue;
@@ -156,5 +160,4 @@ void lateness_class_write(FILE *page, const Gradebook *gradebook)
         late_row_write(page, gradebook, &gradebook->rows[i], &lateness->rows[i]);
     }
     fputs(n > 0 ? "</tbody></table></div>\n" : "<div class=\"card\"><p>Nobody.</p></div>\n", page);
-    unknown_write(page, gradebook);
 }

@@ -1,4 +1,6 @@
 // Reading moments, with strptime() for all that is in numbers or English (see moment.h).
+//
+// No mktime(): in the hour that a clock shows twice it answers by what it was asked before.
 #include "moment.h"
 
 #include "path.h"
@@ -64,10 +66,11 @@ int moment_zone_set(const char *zone)
 static const char *month_of(const char *word)
 {
     static const char *const others[][2] = {
-        {"Januar", "January"},  {"Februar", "February"},  {"März", "March"},
-        {"Mär", "March"},       {"Mrz", "March"},         {"Mai", "May"},
-        {"Juni", "June"},       {"Juli", "July"},         {"Okt", "October"},
-        {"Oktober", "October"}, {"Dezember", "December"}, {"Dez", "December"},
+        {"Januar", "January"},    {"Februar", "February"}, {"März", "March"},
+        {"Mär", "March"},         {"Mrz", "March"},        {"Maerz", "March"},
+        {"Ma\u0308rz", "March"},  {"Mai", "May"},          {"Juni", "June"},
+        {"Juli", "July"},         {"Okt", "October"},      {"Oktober", "October"},
+        {"Dezember", "December"}, {"Dez", "December"},
     };
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         if (strcmp(word, others[i][0]) == 0) {
@@ -141,9 +144,30 @@ static int tail_read(const char *tail, struct tm *tm, int *has_offset)
     return end != NULL && *end == '\0';
 }
 
+enum { DAY = 24 * 60 * 60 };
+
+// The moment at which the clock shows this. It is found by the offsets of the day before and the
+// day after: between them a clock is changed at most once. Of an hour that it shows twice both fit,
+// of one that it leaves out neither does: then the earlier moment counts.
+static time_t moment_of_clock(struct tm tm)
+{
+    const time_t as_utc = timegm(&tm);
+    time_t moments[2];
+    int fits[2];
+    for (int i = 0; i < 2; i++) {
+        const time_t near = as_utc + (i == 0 ? -DAY : DAY);
+        struct tm there;
+        const long offset = localtime_r(&near, &there)->tm_gmtoff;
+        moments[i] = as_utc - offset;
+        fits[i] = localtime_r(&moments[i], &there)->tm_gmtoff == offset;
+    }
+    const int second = fits[0] == fits[1] ? moments[1] < moments[0] : fits[1];
+    return moments[second];
+}
+
 static int form_read(const char *words, const char *form, time_t *moment)
 {
-    struct tm tm = {.tm_isdst = -1};
+    struct tm tm = {0};
     int has_offset = 0;
     const char *tail = strptime(words, form, &tm);
     if (tail == NULL || !tail_read(tail, &tm, &has_offset)) {
@@ -154,7 +178,7 @@ static int form_read(const char *words, const char *form, time_t *moment)
     const long offset = tm.tm_gmtoff;
     struct tm plain = tm;
     const time_t utc = timegm(&plain) - offset;
-    *moment = has_offset ? utc : mktime(&tm);
+    *moment = has_offset ? utc : moment_of_clock(tm);
     return plain.tm_mday == day && tm.tm_year >= 70 ? 0 : -1;
 }
 
@@ -178,14 +202,15 @@ int moment_read(const char *text, time_t *moment)
     return -1;
 }
 
-time_t moment_later(time_t moment, long seconds)
+time_t moment_later(time_t moment, long n, long unit)
 {
-    enum { DAY = 24 * 60 * 60 };
     struct tm tm;
+    if (unit % DAY != 0) {
+        return moment + n * unit;
+    }
     localtime_r(&moment, &tm);
-    tm.tm_mday += (int)(seconds / DAY);
-    tm.tm_isdst = -1;
-    return mktime(&tm) + seconds % DAY;
+    tm.tm_mday += (int)(n * (unit / DAY));
+    return moment_of_clock(tm);
 }
 
 static void moment_format(time_t moment, const char *format, char text[MOMENT_BYTES])

@@ -20,10 +20,14 @@ int moment_zone_set(const char *zone);
 //   25.11.2026 23:59                                                           German
 //   Wednesday, 25 November 2026, 11:59 PM; Mittwoch, 25. November 2026, 23:59  Moodle
 // With slashes nobody can tell the day from the month, so that is none.
+// Where clocks go back, a time of the hour that they show twice is the first of the two moments,
+// unless the text has a zone. Where they go forward, a time that no clock shows is the earlier of
+// the two that it may be.
 int moment_read(const char *text, time_t *moment);
 
-// What the clock shows so many seconds later: whole days are those of the calendar.
-time_t moment_later(time_t moment, long seconds);
+// So many units of so many seconds later. Whole days are those of the calendar, so the clock shows
+// the same time; all smaller units are real time.
+time_t moment_later(time_t moment, long n, long unit);
 
 // "2026-11-25 23:59 CET".
 void moment_write(time_t moment, char text[MOMENT_BYTES]);

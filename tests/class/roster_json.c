@@ -1,5 +1,6 @@
 // The roster as JSON, between the driver's start and the gradebook (see roster.h).
 #include "complain.h"
+#include "evidence.h"
 #include "output_file.h"
 #include "roster.h"
 
@@ -48,12 +49,13 @@ int roster_save(const Roster *roster, const char *path)
     }
     for (int i = 0; !failed && i < roster->n_entrants; i++) {
         const Entrant *entrant = &roster->entrants[i];
-        json_t *entry =
-            json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:b, s:b, s:o}", "id",
-                      entrant->slug, "name", entrant->name, "label", entrant->label, "number",
-                      entrant->number, "entry", entrant->entry, "time", entrant->time, "late",
-                      entrant->is_late, "attempt", entrant->attempt, "exact", entrant->is_exact,
-                      "link", entrant->is_link, "members", members_json(entrant));
+        json_t *entry = json_pack(
+            "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:i, s:b, s:b, s:b, s:o}", "id",
+            entrant->slug, "name", entrant->name, "label", entrant->label, "number",
+            entrant->number, "entry", entrant->entry, "time", entrant->time, "time_from",
+            evidence_of(entrant->time_from)->title, "late", entrant->is_late, "attempt",
+            entrant->attempt, "version", entrant->version, "exact", entrant->is_exact, "link",
+            entrant->is_link, "team", entrant->is_team, "members", members_json(entrant));
         failed = json_array_append_new(list, entry) != 0;
     }
     json_t *whole = json_pack("{s:o, s:o}", "entries", list, "passed_over", passed_over);
@@ -86,18 +88,20 @@ static int passed_over_read(json_t *list, Roster *roster)
 
 static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
 {
-    const char *slug, *name, *label, *number, *entry, *time;
+    const char *slug, *name, *label, *number, *entry, *time, *time_from;
     json_t *members;
     if (json_unpack_ex(json, error, JSON_STRICT,
-                       "{s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:b, s:b, s:o}", "id", &slug,
-                       "name", &name, "label", &label, "number", &number, "entry", &entry, "time",
-                       &time, "late", &entrant->is_late, "attempt", &entrant->attempt, "exact",
-                       &entrant->is_exact, "link", &entrant->is_link, "members", &members) != 0) {
+                       "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:i, s:b, s:b, s:b, s:o}",
+                       "id", &slug, "name", &name, "label", &label, "number", &number, "entry",
+                       &entry, "time", &time, "time_from", &time_from, "late", &entrant->is_late,
+                       "attempt", &entrant->attempt, "version", &entrant->version, "exact",
+                       &entrant->is_exact, "link", &entrant->is_link, "team", &entrant->is_team,
+                       "members", &members) != 0) {
         return -1;
     }
     entrant->slug = strdup(slug), entrant->name = strdup(name), entrant->label = strdup(label);
     entrant->number = strdup(number), entrant->entry = strdup(entry);
-    entrant->time = strdup(time);
+    entrant->time = strdup(time), entrant->time_from = evidence_find(time_from);
     return entrant->slug == NULL || entrant->name == NULL || entrant->label == NULL ||
                    entrant->number == NULL || entrant->entry == NULL || entrant->time == NULL
                ? -1

@@ -155,8 +155,7 @@ const StudipFile *studip_folder_find(const StudipList *list, const Export *expor
              end < list->n_lines && folders_compare(first, first + end - begin) == 0; end++) {
         }
         // Also where somebody made a list of very many folders, all this takes little time.
-        if (2 * (end - begin) <= export->n_found ||
-            (name != NULL && !ends_in_folder(first, name))) {
+        if (2 * (end - begin) <= export->n_found || !ends_in_folder(first, name)) {
             continue;
         }
         for (int i = 0; i < export->n_found; i++) {

@@ -31,7 +31,7 @@ void studip_list_free(StudipList *list);
 
 // The folder of the list that the export's is: the one that names most of its entries, more than
 // half, and more than any other does. Returns its lines, *n of them, by file, or NULL.
-//   name   what it is called in the list, with those above it or without; NULL: not known
+//   name   what it is called in the list, with those above it or without
 const StudipFile *studip_folder_find(const StudipList *list, const Export *export, const char *name,
                                      int *n);
 

@@ -119,19 +119,19 @@ static const char *path_cut(char *path, int n_slashes)
     return end + 1;
 }
 
-StudipPlace studip_names_read(Export *export)
+int studip_names_read(Export *export)
 {
     enum { MOST_ABOVE = 2 };
     char path[PATH_MAX], above[PATH_MAX];
     if (export->n_found == 0 || realpath(export->path, path) == NULL) {
-        return STUDIP_NONE;
+        return 0;
     }
     for (int n = MOST_ABOVE; n > 0; n--) {
         memcpy(above, path, sizeof above);
         const char *name = path_cut(above, n - 1);
         if (name != NULL && list_apply(above, name, export)) {
-            return STUDIP_ABOVE;
+            return 1;
         }
     }
-    return list_apply(path, NULL, export) ? STUDIP_BESIDE : STUDIP_NONE;
+    return 0;
 }

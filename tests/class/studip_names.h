@@ -10,19 +10,15 @@
 
 #include "export.h"
 
-// Where the list was found that counts.
-typedef enum StudipPlace { STUDIP_NONE, STUDIP_ABOVE, STUDIP_BESIDE } StudipPlace;
-
 // Give the entries that Stud.IP's list names to their owners, and make Stud.IP the export's system.
-// A student may hand in a file of this name. So a list one or two folders above counts before one
-// beside the files, and either only if it names more than half of the entries: no student knows so
-// many.
+// A student may hand in a file of this name. So only a list one or two folders above the files
+// counts, where no student can put one, and only if it names more than half of the entries.
 //
 // Single files of one owner, and an archive beside them, are one attempt, of the time of the last.
 // Several archives of one name may be those of two people: each is an entry of its own, and whose
 // it is is to be decided. What the list gives to two names is nobody's.
 //
-// A list that cannot be read is told on stderr, and counts for nothing.
-StudipPlace studip_names_read(Export *export);
+// A list that cannot be read is told on stderr, and counts for nothing. Returns whether one counts.
+int studip_names_read(Export *export);
 
 #endif

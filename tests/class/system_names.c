@@ -8,13 +8,6 @@
 
 enum { MOST_GROUPS = 8 };
 
-const char *system_title(ExportSystem system)
-{
-    static const char *const titles[N_SYSTEMS] = {"a plain name", "Moodle", "Canvas", "Blackboard",
-                                                  "Brightspace",  "ILIAS",  "VPL",    "Stud.IP"};
-    return titles[system];
-}
-
 // Does a text match? The parts of the groups, the whole being the first.
 static int matches(const char *pattern, const char *text, NamePart parts[MOST_GROUPS])
 {
@@ -42,20 +35,22 @@ static SystemName read_canvas(const char *entry)
     const int is_named = matches("_([0-9]+)_([0-9]+)_(.+)$", entry, parts) ||
                          matches("_([0-9]+)_()((text|link)\\.html)$", entry, parts);
     // Where submissions are anonymous.
+    // Names are in small letters: only a file's own name may have what looks like another mark, and
+    // then it was meant so.
+    const int is_late = matches("_LATE_[0-9]+_([0-9]+_|(text|link)\\.html)", entry, more) ||
+                        matches("^LATE_anon_", entry, more);
     const int is_anonymous =
         matches("^(LATE_)?(anon_[A-Za-z0-9]{5})_[0-9]+_(.+)$", entry, more) ||
         matches("^(LATE_)?(anon_[A-Za-z0-9]{5})_((text|link)\\.html)$", entry, more);
     if (is_anonymous && !(is_named && parts[0].text < more[2].text + more[2].length)) {
         name.system = SYSTEM_CANVAS;
         name.name = more[2], name.file = more[3];
-        name.is_late = more[1].length > 0;
+        name.is_late = is_late;
         return name;
     }
-    int is_late = 0;
     size_t n_name = is_named ? (size_t)(parts[0].text - entry) : 0;
     if (n_name >= strlen(late) && strncmp(entry + n_name - strlen(late), late, strlen(late)) == 0) {
         n_name -= strlen(late);
-        is_late = 1;
     }
     // "group_a_03_40012_file" is somebody's own way to name files: few people have underscores in
     // their names, and few of Canvas' numbers are so short.
@@ -141,7 +136,8 @@ static SystemName read_brightspace(const char *entry)
             continue;
         }
         // Of two times the one that ends a folder's name is Brightspace's. Before a file's name
-        // either may be part of a name that somebody chose.
+        // either may be part of a name that somebody chose, also where the other one has a form
+        // that is not known here.
         if (name.system == SYSTEM_BRIGHTSPACE && parts[5].length > 0) {
             name.time[0] = '\0';
             break;
@@ -149,7 +145,9 @@ static SystemName read_brightspace(const char *entry)
         name.system = SYSTEM_BRIGHTSPACE;
         name.name = (NamePart){begin, (size_t)(at - begin)};
         name.number = head[1], name.login = head[1], name.file = parts[5];
-        time_read(parts[1], name.time);
+        if (name.file.length == 0 || memmem(begin, name.name.length, " - ", 3) == NULL) {
+            time_read(parts[1], name.time);
+        }
     }
     return name;
 }
@@ -186,6 +184,19 @@ SystemName system_name_read(const char *entry, ExportSystem system)
                                                [SYSTEM_ILIAS] = read_ilias,
                                                [SYSTEM_VPL] = read_vpl};
     return readers[system] != NULL ? readers[system](entry) : (SystemName){0};
+}
+
+int system_name_is_possible(const char *entry, ExportSystem system)
+{
+    NamePart parts[MOST_GROUPS];
+    switch (system) {
+    case SYSTEM_MOODLE:
+        return matches("^.+_assignsubmission_", entry, parts);
+    case SYSTEM_CANVAS:
+        return matches("^.+_[0-9]+_([0-9]+_.|(text|link)\\.html$)", entry, parts);
+    default:
+        return system_name_read(entry, system).system == system;
+    }
 }
 
 int ilias_name_is_whole(const char *entry)

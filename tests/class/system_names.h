@@ -18,12 +18,14 @@ typedef enum ExportSystem {
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
     SYSTEM_VPL,
-    SYSTEM_STUDIP,  // by its list of files (studip_names.h), not by names
+    // Not by names: by a list of files (studip_names.h, gradescope_names.h), a repository
+    // (commits.h), or what the instructor says.
+    SYSTEM_STUDIP,
+    SYSTEM_GRADESCOPE,
+    SYSTEM_GIT,
+    SYSTEM_OWN,
     N_SYSTEMS
 } ExportSystem;
-
-// "Canvas", for messages.
-const char *system_title(ExportSystem system);
 
 // A piece of an entry's name.
 typedef struct NamePart {
@@ -51,6 +53,10 @@ typedef struct SystemName {
 //   Lovelace_Ada_ada_1234                                                        ILIAS, a folder
 //   Lovelace Ada 1234 ada                                                        VPL, a folder
 SystemName system_name_read(const char *entry, ExportSystem system);
+
+// Could the system have made the name, whatever a student has called the file? Some such names can
+// not be read, as a student's part looks like the system's: they still show which system it was.
+int system_name_is_possible(const char *entry, ExportSystem system);
 
 // Has a folder's name all four parts of ILIAS', last name, first name, login and number? Of three,
 // "lab_ada_2", only the files in it say that it is ILIAS'.

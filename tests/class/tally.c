@@ -1,9 +1,15 @@
 // Counting what became of all entries (see tally.h). Read next: gradebook_tool.c, class_page.c.
 #include "tally.h"
 
-int tally_is_undecided(const Gradebook *gradebook, const Worksheet *worksheet, const Row *row)
+#include "lateness.h"
+
+const char *tally_why_undecided(const Gradebook *gradebook, const Worksheet *worksheet,
+                                const Row *row)
 {
-    return worksheet != NULL && worksheet->entered[row - gradebook->rows].why_not != NULL;
+    const char *unknown = lateness_unknown(gradebook, row);
+    return unknown != NULL     ? unknown
+           : worksheet != NULL ? worksheet->entered[row - gradebook->rows].why_not
+                               : NULL;
 }
 
 Tally tally_count(const Gradebook *gradebook, const Worksheet *worksheet, int n_alike)
@@ -19,7 +25,7 @@ Tally tally_count(const Gradebook *gradebook, const Worksheet *worksheet, int n_
             tally.n_not_graded++;
         } else if (worksheet != NULL && worksheet->entered[i].left_out != NULL) {
             tally.n_left_out++;
-        } else if (tally_is_undecided(gradebook, worksheet, row)) {
+        } else if (tally_why_undecided(gradebook, worksheet, row) != NULL) {
             tally.n_undecided++;
         } else if (row->status == ROW_NOTHING) {
             tally.n_nothing++;
@@ -28,7 +34,7 @@ Tally tally_count(const Gradebook *gradebook, const Worksheet *worksheet, int n_
         }
     }
     if (worksheet == NULL) {
-        tally.n_undecided = n_alike;
+        tally.n_alike = n_alike;
         return tally;
     }
     for (int i = 1; i < worksheet->n_participants; i++) {
@@ -41,8 +47,7 @@ Tally tally_count(const Gradebook *gradebook, const Worksheet *worksheet, int n_
 
 int tally_has_lost(const Tally *tally)
 {
-    return tally->n_not_graded > 0 || tally->n_passed_over > 0 ||
-           (tally->has_list && tally->n_undecided > 0);
+    return tally->n_not_graded > 0 || tally->n_passed_over > 0 || tally->n_undecided > 0;
 }
 
 void tally_write(FILE *file, const Tally *tally)
@@ -62,5 +67,5 @@ void tally_write(FILE *file, const Tally *tally)
     if (tally->n_not_graded > 0) {
         fprintf(file, "; %d not graded", tally->n_not_graded);
     }
-    fprintf(file, "; %d to be decided by you", tally->n_undecided);
+    fprintf(file, "; %d to be decided by you", tally->n_undecided + tally->n_alike);
 }

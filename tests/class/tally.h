@@ -9,7 +9,8 @@ typedef struct Tally {
     int n_entries;
     int n_superseded;   // attempts of which a later one counts
     int n_not_graded;   // faults of the machinery
-    int n_undecided;    // for some student not entered; without a list: groups of look-alikes
+    int n_undecided;    // for some student not entered, or perhaps late
+    int n_alike;        // without a list: groups of names that look alike
     int n_left_out;     // not to be counted, as the instructor decided
     int n_nothing;      // nothing of this lab was handed in
     int n_done;         // the rest: graded, and entered where there is a list
@@ -22,8 +23,10 @@ typedef struct Tally {
 //   n_alike     how many groups of names look like one person's
 Tally tally_count(const Gradebook *gradebook, const Worksheet *worksheet, int n_alike);
 
-// Is something of this row to be decided by the instructor?
-int tally_is_undecided(const Gradebook *gradebook, const Worksheet *worksheet, const Row *row);
+// Why something of this row is to be decided by the instructor: whose it is, or whether it was in
+// time. NULL: nothing is.
+const char *tally_why_undecided(const Gradebook *gradebook, const Worksheet *worksheet,
+                                const Row *row);
 
 // Could somebody's work have been lost, should nobody look at the page?
 int tally_has_lost(const Tally *tally);

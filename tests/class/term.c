@@ -58,6 +58,8 @@ static int entry_take(Term *term, int lab, const json_t *whose, const json_t *ro
                      .alone = alone};
     if (strcmp(status, "not graded") == 0 || strcmp(status, "not entered") == 0) {
         entry->open = status;
+    } else if (json_object_get(json_object_get(row, "late"), "unknown") != NULL) {
+        entry->open = "to be decided by you";
     }
     return 0;
 }

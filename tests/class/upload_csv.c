@@ -8,6 +8,7 @@
 #include "corrections.h"
 #include "csv_cell.h"
 #include "feedback.h"
+#include "lateness.h"
 #include "output_file.h"
 
 #include <stdlib.h>
@@ -38,6 +39,9 @@ static char *comment_make(const Gradebook *gradebook, const Participant *partici
 {
     char *comment = NULL;
     size_t length;
+    if (participant->row != NULL && lateness_unknown(gradebook, participant->row) != NULL) {
+        return NULL;
+    }
     if (participant->row != NULL) {
         return feedback_comment(gradebook, participant->row);
     }

@@ -39,17 +39,15 @@ typedef struct Worksheet {
     int has_one_domain;                     // all e-mail addresses are of one
     Entered *entered;                       // [n_rows] of the gradebook
     int n_rows;
-    struct Decisions *decisions;  // the instructor's (decisions.h); NULL: none were given
 } Worksheet;
 
 // Where a list is, and what the instructor says of it.
 typedef struct ListGiven {
     const char *path;
-    const char *column;     // that takes the grades (list_columns.h), or NULL
-    const char *decisions;  // a file with what the instructor has decided (decisions.h), or NULL
+    const char *column;  // that takes the grades (list_columns.h), or NULL
 } ListGiven;
 
-// Read a list and find each participant's row of the gradebook (owners.h).
+// Read a list. Whose the rows of the gradebook are, is found by owners.h.
 //   lab   that was or will be graded, "03-kdtree-2d-render"; NULL: nothing was
 // Returns 0, or -1 after one message on stderr. Release with worksheet_free().
 int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gradebook,

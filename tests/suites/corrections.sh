@@ -310,7 +310,7 @@ check "what is left out stands below the list" grep -q '^,,,,,"spam",.*,"ignored
 check "and so does what does not count" grep -q \
     '^,,,,,"carol-2",.*,"another submission counts, as you decided"$' "$out/gradebook.csv"
 check "the file keeps what is decided" grep -q \
-    "^\"$slug\",\"bob@example.org\",\"yes\",\"bobby\",\"decided\"\$" "$out/who.csv"
+    "^\"$slug\",\"bob@example.org\",\"yes\",\"\",\"bobby\",\"decided\"\$" "$out/who.csv"
 check "and has what is left" test "$(grep -c ',"","",' "$out/who.csv")" -eq 2
 printf 'student,task,points\nParticipant 23,gradient,0\nBob Ross,set_arguments,1\n' >"$scratch/changes.csv"
 check "corrections name the participant, by number or name" exits 1 \

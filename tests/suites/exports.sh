@@ -224,8 +224,9 @@ studip() { echo "$1" >"$class/[1]_$4.zip"; }
 export_of studip studip
 echo '"Name";"Autor"' >"$class/archive_filelist.csv"
 list 'Vorname;Nachname;Nutzernamen;Matrikelnummer' 'FIRST;LAST;LOGIN;NUMBER'
-graded 0 "12 of 12 graded and entered; 0 without submission; 0 passed over"
+graded 1 "12 of 12 graded and entered; 0 without submission; 1 passed over"
 all_own
+check "studip: the list among the files decides nothing" said "archive_filelist.csv: decides nothing"
 
 gradescope() {
     mkdir "$class/submission_9$1"
@@ -353,7 +354,7 @@ for archive in moodle-export.zip packed.tar.gz renamed.tgz; do
     graded 1 "12 of 14 graded and entered" "$scratch/$archive"
     check "$archive: nobody is lost, and nobody swapped" same_as moodle
     check "$archive: links lead nowhere" \
-        test "$(readlink "$class.out/export/Joan Clarke_40018_assignsubmission_file_/link")" = nowhere
+        test "$(find "$class.out/export" -path '*/Joan Clarke_40018_assignsubmission_file_/link' -exec readlink {} +)" = nowhere
     check "$archive: nothing is left of unpacking" test -z "$(ls "$scratch/w")"
 done
 for student in "$class.out/students"/*; do : >"$student/kept"; done
@@ -456,6 +457,38 @@ list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"' '"LAST, FI
 run "$class.out" --moodle "$class.csv"
 for number in 40013 40014 40015; do check "files like another system's: $number has the own grade" own $number; done
 check "and who handed in nothing has no grade" nobody 40012
+
+# The same where Canvas' own pattern cannot be read in them: most files of the folder look like Blackboard's, of ada.
+class=$scratch/most-files
+mkdir "$class"
+for number in 40013 40014 40015; do echo $number >"$class/student${number}_${number}_8800${number}_gradient.cl"; done
+for file in a b c d e f g h; do
+    echo 40099 >"$class/evileve_40099_88101_1_ada_attempt_2026-11-03-10-22-33_$file.cl"
+done
+list 'Student,ID,"SIS User ID","SIS Login ID",Section,"Lab 0 (4711)"' '"LAST, FIRST",NUMBER,uNUMBER,LOGIN,A,'
+run "$class.out" --moodle "$class.csv"
+for number in 40013 40014 40015; do check "one student's many files: $number has the own grade" own $number; done
+check "one student's many files make no entry of another" nobody 40012
+# One login in many files, which ends in another's login: that is no title of the assignment.
+class=$scratch/most-titles
+mkdir "$class"
+for login in gh jc; do echo $login >"$class/Lab 0_${login}_attempt_2026-11-03-10-22-33_gradient.cl"; done
+for file in gradient.cl a b c; do echo eve >"$class/Lab 0_eve_ada_attempt_2026-11-03-10-22-33_$file"; done
+list '"Last Name","First Name",Username,"Student ID"' '"LAST","FIRST",LOGIN,NUMBER'
+run "$class.out" --moodle "$class.csv"
+check "many files of the login eve_ada are not ada's" nobody 40012
+check "and the others have theirs" said "2 of 3 graded and entered"
+# A drop folder of a folder for each student, called submission_NUMBER. Eve hands in Gradescope's list, in which she is ada.
+class=$scratch/submission-names
+mkdir "$class"
+for number in 40012 40017; do mkdir "$class/submission_$number" && echo $number >"$class/submission_$number/gradient.cl"; done
+echo 40099 >"$class/submission_40099.zip"
+printf 'submission_%s:\n  :submitters:\n  - :name: %s\n    :email: %s\n' 40012 "Eve Evil" eve@example.org 40099 "Ada Lovelace" ada@example.org \
+    40017 "Joan Clarke" jc@example.org >"$class/submission_metadata.yml"
+list 'First Name,Last Name,Student ID,Email' 'FIRST,LAST,NUMBER,LOGIN@example.org'
+run "$class.out" --moodle "$class.csv"
+check "a student's list of Gradescope's decides nothing" nobody 40012
+check "it is told" said "submission_metadata.yml: decides nothing"
 
 # Of two logins, one ends as the other does.
 class=$scratch/logins

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A class as Stud.IP exports it: a folder with the files of all, and archive_filelist.csv beside it, which says whose
-# they are. Nobody is lost, and nobody has another's grade.
+# they are. Nobody is lost, and nobody has another's grade. A list among the files decides nothing.
 #
 #     sh tests/suites/studip.sh      from the top folder, after `make tests`
 set -u
@@ -96,10 +96,12 @@ everybody
 check "when it was handed in" test "$(jq -r '.students[] | select(.name == "Grace Hopper") | .late.seconds' "$class.out/gradebook.json")" -eq 1800
 check "and who was in time" test "$(jq '[.students[] | select(.late.is_late == false)] | length' "$class.out/gradebook.json")" -eq 3
 
+# Single files with the list among them: a student could have written it.
 new flat && people ""
 pack flat
-graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
-everybody
+graded 1 "1 of 3 graded and entered; 0 without submission; 2 passed over"
+check "a list among the files is told" said "flat.out/export/archive_filelist.csv: decides nothing: it is among what students handed in"
+check "and on the page" grep -q 'Passed over.*\|.*archive_filelist.csv.*gradient.cl' "$class.out/class.html"
 new english '"Name";"Size";"First name";"Last name";"Downloads";"Date";"Path"' && people "Course/[0]_Lab 0/"
 class="$scratch/english/Course/[0]_Lab 0"
 graded 0 "4 of 4 graded and entered; 2 without submission; 0 passed over"
@@ -161,30 +163,52 @@ graded 1 "3 of 4 graded and entered"
 check "a file with two owners is nobody's" nobody 40015
 check "and is told of" said '"Joan Clarke.zip": fits no line of the list'
 
-# A student's own file of this name.
+# A student's own file of this name, which Stud.IP lists as any other: as a folder, a level higher, and as a zip.
 new forged && people "Lab 0/"
-sed 's/Ada";"Lovelace/X/; s/Jürgen";"Müller/Ada";"Lovelace/; s/X/Jürgen";"Müller/' "$list" >"$scratch/forged/Lab 0/archive_filelist.csv"
+sed 's/Ada";"Lovelace/X/; s/Jürgen";"Müller/Ada";"Lovelace/; s/X/Jürgen";"Müller/' "$list" >"$scratch/swapped"
+file Ada Lovelace "Lab 0/archive_filelist.csv" 40012
+cp "$scratch/swapped" "$scratch/forged/Lab 0/archive_filelist.csv"
+for class in "$scratch/forged/Lab 0" "$scratch/forged"; do
+    rm -rf "$scratch/forged.out"
+    graded 0 "4 of 4 graded and entered"
+    for number in 40013 40014 40015; do check "a forged list beside the files: $number has the own grade" own $number; done
+done
 pack forged
 graded 0 "4 of 4 graded and entered"
-everybody
-class=$scratch/forged/"Lab 0"
-rm -r "$scratch/forged.out"
-graded 0 "4 of 4 graded and entered"
-everybody
-# Without the system's own: a student does not know the names of most files.
+for number in 40013 40014 40015; do check "a forged list in the zip: $number has the own grade" own $number; done
+# Without the system's own, whatever the student knows of the names.
 new guessed && people "Lab 0/"
-mv "$list" "$scratch/full" && grep -v -e abgabe -e gradient "$scratch/full" >"$scratch/guessed/Lab 0/archive_filelist.csv"
+mv "$list" "$scratch/guessed/Lab 0/archive_filelist.csv"
+class="$scratch/guessed/Lab 0"
+graded 1 "1 of 3 graded and entered"
+check "a list among the files counts for nothing" nobody 40012
+check "and gives nobody what is another's" nobody 40013
+check "it is told" said "Lab 0/archive_filelist.csv: decides nothing"
 pack guessed
 graded 1 "1 of 3 graded and entered"
-check "a list of half of the files counts for nothing" nobody 40012
-cp "$scratch/full" "$scratch/guessed/Lab 0/archive_filelist.csv"
-ln -s "$scratch/full" "$scratch/guessed/archive_filelist.csv"
+check "in a zip, too" nobody 40012
+ln -s "$scratch/swapped" "$scratch/guessed/archive_filelist.csv"
+class="$scratch/guessed/Lab 0"
+graded 1 "1 of 3 graded and entered"
+rm "$scratch/guessed/archive_filelist.csv"
 for bad in 'Name;Autor' '"Vorname";"Nachname";"Pfad' "$(printf 'x\377')" ''; do
-    printf '%s\n' "$bad" >"$scratch/guessed/Lab 0/archive_filelist.csv"
+    printf '%s\n' "$bad" >"$scratch/guessed/archive_filelist.csv"
     class="$scratch/guessed/Lab 0"
     graded 1 "1 of 3 graded and entered"
-    check "a list that is none is told" said "archive_filelist.csv: "
+    check "a list that is none is told" said "guessed/archive_filelist.csv: "
 done
+# A drop folder: the names of the archives say whose they are. Eve hands in lists that say otherwise.
+mkdir "$scratch/drop"
+printf 'Nr;Vorname;Nachname;Datum;Dateiname;Pfad\n' >"$scratch/drop/archive_filelist.csv"
+for login in ada:gh jm:ada gh:jc jc:jm; do
+    grep -- ";${login%:*};" "$scratch/people.csv" | cut -d ';' -f 4 >"$scratch/drop/${login%:*}.zip"
+    printf '1;%s;;2026-11-24 10:00;%s.zip;%s.zip\n' "${login#*:}" "${login%:*}" "${login%:*}" >>"$scratch/drop/archive_filelist.csv"
+done
+class=$scratch/drop class_name=drop
+graded 1 "4 of 4 graded and entered; 2 without submission; 1 passed over" --due "2026-11-25 00:00 Europe/Berlin"
+everybody
+check "drop: nor is any time known" test "$(jq '[.students[].late.handed_in // empty] | length' "$class.out/gradebook.json")" -eq 0
+check "drop: it is told" said "drop/archive_filelist.csv: decides nothing"
 # Names and files of any kind.
 new hostile
 for i in 1 2 3 4; do file "=1+1$i" '<b>\n' "Lab 0/-rf \$(id) $i.zip" "$i"; done

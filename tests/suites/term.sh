@@ -99,6 +99,15 @@ check "and has a row of its own, too" line '"Team 2","","",11,,11,200,0,"no","to
 check "nobody else has a row" test "$(wc -l <"$out/term.csv")" -eq 9
 check "no point is lost" same_sums g0 g3
 check "the last line counts" said "8 rows for 2 labs, 2 admitted (NEED=2, PASS=50): see $out/term.csv, $out/term.html"
+gradebook late 00-hello-pixels <<'END'
+{"id": "o-1", "name": "olga", "status": "graded", "late": {"unknown": "nothing says when"}, "owners": [{"name": "Olga", "address": "olga@example.org", "id_number": ""}]}
+END
+late_or_not() {
+    add_up --need 1 "$scratch/late.out" late
+    grep -qxF '"Olga","olga@example.org","",,0,100,0,"open","00-hello-pixels to be decided by you"' "$scratch/late.out/term.csv" ||
+        { cat "$scratch/late.out/term.csv"; return 1; }
+}
+check "what may be late is open, too" late_or_not
 check "others cannot read it" test "$(stat -c %a "$out" | cut -c 3)" = 0
 check "other points to pass" table 0 --need 1 --pass 71 "$out" g0 g3
 check "change who is admitted" line '"Carol","carol@example.org","",70,49,119,200,0,"no",""'

@@ -77,6 +77,70 @@ Test(moment, german_months)
         cr_assert_eq(moment_read(numbers, &expected), 0);
         expect_moment(german, expected);
     }
+    expect_moment("2. Maerz 2026, 08:30", 1772440200);
+    expect_moment("2. Ma\u0308rz 2026, 08:30", 1772440200);
+}
+
+// A time at which clocks are changed, in zones of both halves of the earth, one of half an hour.
+typedef struct Change {
+    const char *zone, *text;
+    time_t expected;  // by `date -u -d ... +%s`
+} Change;
+
+static const Change changes[] = {
+    {"Europe/Berlin", "2026-10-25 01:59", 1792886340},        // 23:59 in Greenwich
+    {"Europe/Berlin", "2026-10-25 02:30", 1792888200},        // shown twice: 00:30
+    {"Europe/Berlin", "2026-10-25 03:00", 1792893600},        // 02:00
+    {"Europe/Berlin", "2026-03-29 01:59", 1774745940},        // 00:59
+    {"Europe/Berlin", "2026-03-29 02:30", 1774744200},        // never shown: 00:30
+    {"Europe/Berlin", "2026-03-29 03:00", 1774746000},        // 01:00
+    {"America/New_York", "2026-11-01 01:30", 1793511000},     // twice: 05:30
+    {"America/New_York", "2026-11-01 02:00", 1793516400},     // 07:00
+    {"America/New_York", "2026-03-08 02:30", 1772951400},     // never: 06:30
+    {"America/New_York", "2026-03-08 03:00", 1772953200},     // 07:00
+    {"Australia/Lord_Howe", "2026-04-05 01:45", 1775313900},  // twice: 14:45 of the day before
+    {"Australia/Lord_Howe", "2026-04-05 02:00", 1775316600},  // 15:30
+    {"Australia/Lord_Howe", "2026-10-04 02:15", 1791040500},  // never: 15:15
+    {"Australia/Lord_Howe", "2026-10-04 02:30", 1791041400},  // 15:30
+    {"UTC", "2026-10-25 02:30", 1792895400},
+};
+
+// In both orders: mktime() answers by what it was asked before.
+Test(moment, where_clocks_change_the_first_moment_counts)
+{
+    const int n = (int)(sizeof changes / sizeof *changes);
+    for (int i = 0; i < 2 * n; i++) {
+        const Change *change = &changes[i < n ? i : 2 * n - 1 - i];
+        cr_assert_eq(moment_zone_set(change->zone), 0);
+        expect_moment(change->text, change->expected);
+    }
+    cr_assert_eq(moment_zone_set("Europe/Berlin"), 0);
+    expect_moment("2026-10-25 02:30 +0100", 1792888200 + 3600);
+}
+
+Test(moment, hours_are_real_and_days_are_the_calendars)
+{
+    enum { HOUR = 60 * 60, DAY = 24 * HOUR };
+    static const struct {
+        const char *from, *to;
+        long n, unit;
+    } cases[] = {
+        {"2026-10-24 20:00", "2026-10-25 20:00", 1, DAY},  // 25 hours
+        {"2026-10-24 20:00", "2026-10-25 19:00", 24, HOUR},
+        {"2026-10-24 20:00", "2026-10-25 20:00", 25, HOUR},
+        {"2026-10-24 02:30", "2026-10-25 02:30", 1, DAY},  // to the first of the two
+        {"2026-03-28 20:00", "2026-03-29 20:00", 1, DAY},  // 23 hours
+        {"2026-03-28 20:00", "2026-03-29 21:00", 24, HOUR},
+        {"2026-03-25 20:00", "2026-04-01 20:00", 1, 7 * DAY},
+    };
+    cr_assert_eq(moment_zone_set("Europe/Berlin"), 0);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        time_t from, to;
+        cr_assert_eq(moment_read(cases[i].from, &from), 0);
+        cr_assert_eq(moment_read(cases[i].to, &to), 0);
+        cr_expect_eq(moment_later(from, cases[i].n, cases[i].unit), to,
+                     "%ld units of %ld s from %s", cases[i].n, cases[i].unit, cases[i].from);
+    }
 }
 
 Test(moment, what_is_none_is_refused)

@@ -1,8 +1,12 @@
 // Unit tests of the names that course systems give to what students hand in.
 #include "entry_name.h"
+#include "evidence.h"
 #include "system_names.h"
+#include "text_file.h"
 
 #include <criterion/criterion.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct Case {
@@ -54,8 +58,15 @@ Test(system_names, are_taken_apart)
          "2026-11-03-10-22-33", "txt"},
         {"40012-88 - Ada Lovelace - Nov 3, 2026 1022 PM", SYSTEM_BRIGHTSPACE, "Ada Lovelace",
          "40012", "40012", "2026-11-03-22-22", ""},
-        {"40012-88 - A - B - 3 November, 2026 922 - a - b.cl", SYSTEM_BRIGHTSPACE, "A - B", "40012",
+        {"40012-88 - A B - 3 November, 2026 922 - a - b.cl", SYSTEM_BRIGHTSPACE, "A B", "40012",
          "40012", "2026-11-03-09-22", "a - b.cl"},
+        // Which of two dates is Brightspace's, nobody knows, be one in a form of another country.
+        {"40012-88 - A B - Nov 3, 2026 922 AM - lab - Nov 1, 2026 922 AM - b.cl",
+         SYSTEM_BRIGHTSPACE, "A B", "40012", "40012", "", "lab - Nov 1, 2026 922 AM - b.cl"},
+        {"40012-88 - A B - 3. Nov 2026 9.22 - lab - Nov 1, 2026 922 AM - b.cl", SYSTEM_BRIGHTSPACE,
+         "A B - 3. Nov 2026 9.22 - lab", "40012", "40012", "", "b.cl"},
+        {"40012-88 - A - B - Nov 3, 2026 922 AM", SYSTEM_BRIGHTSPACE, "A - B", "40012", "40012",
+         "2026-11-03-09-22", ""},
         {"Lovelace_Ada_ada_1234", SYSTEM_ILIAS, "Lovelace_Ada", "1234", "ada", "", ""},
         {"x_40013_40099_880040_file.cl", SYSTEM_NONE, "", "", "", "", ""},
         {"40012-88 - Ada - Okt 3, 2026 1022 PM", SYSTEM_BRIGHTSPACE, "Ada", "40012", "40012", "",
@@ -73,7 +84,7 @@ Test(system_names, are_taken_apart)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const SystemName name = read_first(cases[i].entry);
         cr_expect_eq(name.system, cases[i].system, "%s: found %s", cases[i].entry,
-                     system_title(name.system));
+                     evidence_of(name.system)->title);
         expect_part(name.name, cases[i].name, cases[i].entry);
         expect_part(name.number, cases[i].number, cases[i].entry);
         expect_part(name.login, cases[i].login, cases[i].entry);
@@ -116,4 +127,23 @@ Test(system_names, of_folders_and_of_files_differ)
             .system,
         SYSTEM_NONE);
     cr_expect_eq(entry_name_read_export("adal_1_2_x.cl", 1, SYSTEM_CANVAS).system, SYSTEM_NONE);
+}
+
+// ---- What decides ------------------------------------------------------------------------------
+
+// The table of the code is the one that instructors read, row by row.
+Test(evidence, is_the_table_that_instructors_read)
+{
+    char *text = text_file_read("tests/INSTRUCTORS.md");
+    for (ExportSystem system = SYSTEM_NONE; system < N_SYSTEMS; system++) {
+        char row[512];
+        const SystemEvidence *evidence = evidence_of(system);
+        snprintf(row, sizeof row, "\n| %s | %s | %s | %s | %s |\n", evidence->title,
+                 evidence->identity, writer_words(evidence->identity_writer), evidence->time,
+                 writer_words(evidence->time_writer));
+        cr_expect_not_null(strstr(text, row), "tests/INSTRUCTORS.md: expected the row%s", row);
+        cr_expect_eq(evidence_find(evidence->title), system);
+    }
+    cr_expect_eq(evidence_find("Canvas LMS"), SYSTEM_NONE);
+    free(text);
 }
