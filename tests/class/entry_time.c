@@ -44,17 +44,9 @@ static int may_be_marked(const char *file)
     return end != NULL && strcspn(file, "0123456789") > (size_t)(end - file);
 }
 
-// The folder of an ILIAS student? Then its files are looked at.
-static int ilias_look(const Export *export, const Found *found, IliasFiles *files)
+static void ilias_folder_look(const char *path, IliasFiles *files)
 {
-    char path[PATH_MAX];
     struct dirent *entry;
-    *files = (IliasFiles){0};
-    if (found->name.system != SYSTEM_ILIAS || !found->is_folder ||
-        !export_is_exact(export, found)) {
-        return 0;
-    }
-    path_make(path, "%s/%s", export->path, found->file);
     DIR *entries = opendir(path);
     while (entries != NULL && (entry = readdir(entries)) != NULL) {
         const char *name = entry->d_name;
@@ -76,21 +68,35 @@ static int ilias_look(const Export *export, const Found *found, IliasFiles *file
     if (entries != NULL) {
         closedir(entries);
     }
-    return 1;
 }
 
-void entry_times_settle(Export *export)
+// The folder of an ILIAS student, or that of a team with its members'? Then its files are looked
+// at.
+static int ilias_look(const Export *export, const Found *found, IliasFiles *files)
 {
-    enum { FEWEST = 2 };
-    int n_folders = 0, n_timed = 0;
-    for (int i = 0; i < export->n_found; i++) {
-        IliasFiles files;
-        if (ilias_look(export, &export->found[i], &files) && files.n > 0) {
-            n_folders++;
-            n_timed += files.n_timed == files.n;
+    char path[PATH_MAX], member[PATH_MAX];
+    struct dirent *entry;
+    *files = (IliasFiles){0};
+    if (found->name.system != SYSTEM_ILIAS || !found->is_folder ||
+        !export_is_exact(export, found)) {
+        return 0;
+    }
+    path_make(path, "%s/%s", export->path, found->file);
+    if (!found->is_team) {
+        ilias_folder_look(path, files);
+        return 1;
+    }
+    DIR *entries = opendir(path);
+    while (entries != NULL && (entry = readdir(entries)) != NULL) {
+        if (!export_is_extra(entry->d_name)) {
+            path_make(member, "%s/%s", path, entry->d_name);
+            ilias_folder_look(member, files);
         }
     }
-    export->has_ilias_times = n_timed >= FEWEST && 2 * n_timed > n_folders;
+    if (entries != NULL) {
+        closedir(entries);
+    }
+    return 1;
 }
 
 static EntryTime ilias_time(const Export *export, const IliasFiles *files)

@@ -18,9 +18,4 @@ typedef struct EntryTime {
 //   begin, end   the attempt's entries
 EntryTime entry_time(const Export *export, int begin, int end);
 
-// Find out whether ILIAS has written times before the files' names, before the first call. In a
-// newer release a student may have named files so. One alone cannot: more than half of the folders,
-// and two at least, must have nothing but such files.
-void entry_times_settle(Export *export);
-
 #endif

@@ -14,9 +14,11 @@
 typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
-    unsigned systems;         // a bit for each ExportSystem that may have made the name
-    unsigned readable;        // and for each as whose it can be read
-    int has_times;            // a folder whose files ILIAS has named by their times
+    unsigned systems;   // a bit for each ExportSystem that may have made the name
+    unsigned readable;  // and for each as whose it can be read
+    int has_times;      // a folder of files that ILIAS has named by their times, and of no others
+    int has_untimed;    // a folder of other files
+    int is_team;        // a folder "Team 12" of nothing but folders of ILIAS', its members'
     size_t n_title, n_login;  // Blackboard's: how many bytes the title and the login behind it have
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded
@@ -34,7 +36,7 @@ typedef struct Export {
     char **passed_over;  // files of which no name says whose they are, fit to be shown
     int n_passed_over;
     ExportSystem system;  // the one that made most of the names, or SYSTEM_NONE
-    int has_ilias_times;  // ILIAS has written times before the files' names (entry_time.h)
+    int has_ilias_times;  // ILIAS has written times before the files' names
     GradescopeNames names;
 } Export;
 

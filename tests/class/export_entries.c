@@ -65,24 +65,60 @@ int export_is_extra(const char *file)
     return is_nobody(file) || is_systems(file) || export_is_list(file);
 }
 
-// Does a folder hold files that ILIAS has named by their times?
-static int holds_ilias_files(int parent, const char *file)
+// What a folder holds, if it may be one of ILIAS': files with times before their names, others, and
+// folders of a team's members.
+typedef struct IliasFolder {
+    int n_timed, n_others, n_members;
+} IliasFolder;
+
+static IliasFolder ilias_folder_look(int parent, const char *file)
 {
     const int descriptor = openat(parent, file, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     DIR *entries = descriptor >= 0 ? fdopendir(descriptor) : NULL;
+    IliasFolder found = {0};
     if (descriptor >= 0 && entries == NULL) {
         close(descriptor);
     }
-    int holds = 0, n = 0;
     struct dirent *entry;
-    while (entries != NULL && !holds && n++ < MOST_LOOKED_AT_FOR_ILIAS &&
-           (entry = readdir(entries)) != NULL) {
-        holds = ilias_time_length(entry->d_name) > 0;
+    struct stat status;
+    for (int n = 0;
+         entries != NULL && n < MOST_LOOKED_AT_FOR_ILIAS && (entry = readdir(entries)) != NULL;) {
+        const char *name = entry->d_name;
+        if (export_is_extra(name) ||
+            fstatat(dirfd(entries), name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+            continue;
+        }
+        const int is_folder = S_ISDIR(status.st_mode);
+        n++;
+        if (is_folder && ilias_name_is_whole(name)) {
+            found.n_members++;
+        } else if (!is_folder && ilias_time_length(name) > 0) {
+            found.n_timed++;
+        } else {
+            found.n_others++;
+        }
     }
     if (entries != NULL) {
         closedir(entries);
     }
-    return holds;
+    return found;
+}
+
+// "Team 12", in whichever language.
+static int is_team_name(const char *file)
+{
+    const char *blank = strrchr(file, ' ');
+    return blank != NULL && blank > file && blank[1] != '\0' &&
+           strspn(blank + 1, "0123456789") == strlen(blank + 1);
+}
+
+static void ilias_look(int parent, Found *found)
+{
+    const IliasFolder folder = ilias_folder_look(parent, found->file);
+    found->has_times = folder.n_timed > 0 && folder.n_others + folder.n_members == 0;
+    found->has_untimed = folder.n_others > 0;
+    found->is_team =
+        folder.n_members > 0 && folder.n_timed + folder.n_others == 0 && is_team_name(found->file);
 }
 
 // Which systems may have made a name, and as whose it can be read: a bit for each.
@@ -94,11 +130,12 @@ static void systems_find(Found *found)
                                    : entry_name_read_export(found->file, found->is_folder, system);
         const int is_read = name.system == system && (system != SYSTEM_ILIAS || found->has_times ||
                                                       ilias_name_is_whole(found->file));
+        const int is_team = system == SYSTEM_ILIAS && found->is_team;
         const int is_any_kind = system == SYSTEM_MOODLE || !found->is_folder;
-        found->readable |= (unsigned)is_read << system;
-        found->systems |=
-            (unsigned)(is_read || (is_any_kind && system_name_is_possible(found->file, system)))
-            << system;
+        found->readable |= (unsigned)(is_read || is_team) << system;
+        found->systems |= (unsigned)(is_read || is_team ||
+                                     (is_any_kind && system_name_is_possible(found->file, system)))
+                          << system;
     }
 }
 
@@ -118,7 +155,9 @@ static int found_read(int parent, const char *file, int lab_number, Found *found
         return -1;
     }
     found->is_link = !found->is_folder && !is_file;
-    found->has_times = found->is_folder && holds_ilias_files(parent, file);
+    if (found->is_folder) {
+        ilias_look(parent, found);
+    }
     systems_find(found);
     found->is_loose = is_file && archive_stem_length(file) == 0;
     return 0;

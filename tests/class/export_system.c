@@ -1,6 +1,8 @@
 // Deciding by all names together (see export_system.h). Read next: system_names.h, the patterns.
 #include "export_system.h"
 
+#include "complain.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -102,19 +104,57 @@ static void login_read(Found *found, const char *title, size_t n_title)
     }
 }
 
+// Has ILIAS written times before the files' names? In a newer release a student may have named
+// files so. One alone cannot: more than half of the folders, and two at least, must have nothing
+// but such files.
+static int has_ilias_times(const Export *export)
+{
+    enum { FEWEST = 2 };
+    int n_folders = 0, n_timed = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        const Found *found = &export->found[i];
+        n_folders += made_by(found, SYSTEM_ILIAS) && (found->has_times || found->has_untimed);
+        n_timed += made_by(found, SYSTEM_ILIAS) && found->has_times;
+    }
+    return n_timed >= FEWEST && 2 * n_timed > n_folders;
+}
+
 void export_names_read(Export *export)
 {
     const ExportSystem system = export->system;
     const Found *titled = system == SYSTEM_BLACKBOARD ? title_find(export) : NULL;
+    export->has_ilias_times = system == SYSTEM_ILIAS && has_ilias_times(export);
     for (int i = 0; i < export->n_found; i++) {
         Found *found = &export->found[i];
         if (system == SYSTEM_NONE || system == SYSTEM_MOODLE || !made_by(found, system)) {
             continue;
         }
+        if (system == SYSTEM_ILIAS && found->is_team) {
+            found->name.system = system;  // under the folder's name
+            continue;
+        }
         found->name = entry_name_read_export(found->file, found->is_folder, system);
-        found->is_loose = found->is_loose || (system == SYSTEM_ILIAS && found->has_times);
+        found->is_loose = found->is_loose || (export->has_ilias_times && found->has_times);
         if (titled != NULL) {
             login_read(found, titled->file, titled->n_title);
         }
+    }
+}
+
+void export_teams_tell(const Export *export)
+{
+    const Found *first = NULL;
+    int n = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        if (export->found[i].name.system == SYSTEM_ILIAS && export->found[i].is_team) {
+            first = n++ == 0 ? &export->found[i] : first;
+        }
+    }
+    if (n > 0) {
+        complain(
+            "gradebook: %s: %d teams of ILIAS: it names only the members who uploaded, and only "
+            "they get the grade. For all write \"%s\" into a column \"Group\" of LIST=, or a "
+            "line for each member into WHO=",
+            export->path, n, first->name.name);
     }
 }

@@ -13,6 +13,9 @@
 // The system, or SYSTEM_NONE.
 ExportSystem export_system_find(const Export *export);
 
+// Say what ILIAS does not say of teams, where there are any.
+void export_teams_tell(const Export *export);
+
 // Read each name that may be the system's, export->system, as that.
 void export_names_read(Export *export);
 

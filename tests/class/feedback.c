@@ -154,7 +154,9 @@ static int all_hand(Giving *giving, const Worksheet *worksheet)
     }
     for (int i = 0; i < gradebook->n_rows && result == 0; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row->status != ROW_NOT_GRADED && row_that_counts(gradebook, row) == row) {
+        if (row->entrant->version > 0) {
+            not_given(giving, row, "it is one of several versions: decide with LIST= and WHO=");
+        } else if (row->status != ROW_NOT_GRADED && row_that_counts(gradebook, row) == row) {
             result = row_hand(giving, row);
         }
     }

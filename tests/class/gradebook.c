@@ -55,6 +55,18 @@ const Row *row_that_counts(const Gradebook *gradebook, const Row *row)
     return counts;
 }
 
+const Row *row_versions(const Gradebook *gradebook, const Row *row, int *n)
+{
+    const Row *end = gradebook->rows + gradebook->n_rows;
+    const Row *first = row - (row->entrant->version > 0 ? row->entrant->version - 1 : 0);
+    *n = 1;
+    while (first->entrant->version > 0 && first + *n < end &&
+           first[*n].entrant->version == *n + 1) {
+        ++*n;
+    }
+    return first;
+}
+
 int row_is_graded(const Row *row)
 {
     return row->status == ROW_GRADED || row->status == ROW_OUTDATED;

@@ -99,6 +99,10 @@ const char *row_status_name(RowStatus status);
 // last with something of this lab, or the last of all.
 const Row *row_that_counts(const Gradebook *gradebook, const Row *row);
 
+// Of a row that is one of several versions (versions.h): the first of them, and how many there are.
+// Of any other row: itself, and 1.
+const Row *row_versions(const Gradebook *gradebook, const Row *row, int *n);
+
 // Was it graded? Only then its score counts in means and counts of passed checks.
 int row_is_graded(const Row *row);
 

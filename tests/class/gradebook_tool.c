@@ -41,6 +41,7 @@
 #include "upload_csv.h"
 #include "worksheet.h"
 
+#include <dirent.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -73,13 +74,38 @@ static int archive_unpack_and_print(const char *build, const char *archive, cons
     return EXIT_ALL_GRADED;
 }
 
+// The lab with a number, for the names of its files; without files where there is none. Returns 0,
+// or -1 after one message.
+static int lab_find(int number, Manifest *manifest)
+{
+    struct dirent *entry;
+    char lab[NAME_MAX + 1] = "";
+    DIR *labs = opendir("labs");
+    *manifest = (Manifest){0};
+    while (labs != NULL && (entry = readdir(labs)) != NULL) {
+        int n = -1;
+        if (sscanf(entry->d_name, "%2d-", &n) == 1 && n == number) {
+            snprintf(lab, sizeof lab, "%s", entry->d_name);
+        }
+    }
+    if (labs != NULL) {
+        closedir(labs);
+    }
+    return lab[0] != '\0' ? manifest_load_file(NULL, lab, manifest) : 0;
+}
+
 static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest,
                        int has_commits)
 {
     char path[PATH_MAX];
     path_make(path, "%s/roster.json", folder);
-    Roster roster;
-    int result = roster_read(submissions, lab_number, only_latest, folder, &roster);
+    Manifest manifest;
+    Roster roster = {0};
+    int result = lab_find(lab_number, &manifest);
+    if (result == 0) {
+        result = roster_read(submissions, lab_number, &manifest, only_latest, folder, &roster);
+        manifest_free(&manifest);
+    }
     if (result == 0 && has_commits) {
         result = commits_take(folder, &roster);
     }
@@ -101,8 +127,12 @@ static void look_alikes_print(const LookAlikes *look_alikes)
     for (int i = 0; i < look_alikes->n_groups; i++) {
         const LookAlike *group = &look_alikes->groups[i];
         for (int r = 0; r < group->n_rows; r++) {
+            const Row *row = group->rows[r];
             printf("%s\"%s\"", r == 0 ? "perhaps one person, each with a row: " : ", ",
-                   group->rows[r]->entrant->entry);
+                   row->entrant->entry);
+            if (row->entrant->version > 0) {
+                printf(" (a version that earns %d)", row->score);
+            }
         }
         printf("\n");
     }

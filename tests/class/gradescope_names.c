@@ -86,15 +86,20 @@ static int entry_begin(GradescopeNames *names, const char *line)
     return entry->entry != NULL && entry->time != NULL ? 0 : -1;
 }
 
-static int member_begin(GradescopeEntry *entry)
+int member_add(Member **members, int *n_members, Member member)
 {
-    Member *members = grown(entry->members, entry->n_members, sizeof *members);
-    if (members == NULL) {
+    Member *more = grown(*members, *n_members, sizeof *more);
+    if (more == NULL) {
         return -1;
     }
-    entry->members = members;
+    *members = more;
+    return member_make(member, &more[(*n_members)++]);
+}
+
+static int member_begin(GradescopeEntry *entry)
+{
     char none[] = "";
-    return member_make((Member){none, none, none, none}, &members[entry->n_members++]);
+    return member_add(&entry->members, &entry->n_members, (Member){none, none, none, none});
 }
 
 // A value's text: in quotes it counts without them; with an escape, or as anything that is no plain

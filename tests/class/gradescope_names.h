@@ -40,6 +40,10 @@ const GradescopeEntry *gradescope_names_find(const GradescopeNames *names, const
 // no text. Nothing when no name is known.
 void gradescope_names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BYTES]);
 
+// Add one, whose texts are copied, to those that began as NULL and 0. Returns 0, or -1 when memory
+// runs out.
+int member_add(Member **members, int *n_members, Member member);
+
 // A copy, for another owner. Returns 0, or -1 when memory runs out; release with members_free().
 int members_copy(const Member *members, int n_members, Member **copy);
 void members_free(Member *members, int n_members);

@@ -1,6 +1,6 @@
-// Finding when rows were handed in (see late_times.h). The first of these counts that says anything:
-// the instructor's column of the list, the instructor's decisions, Moodle's column of the list, what
-// the export has.
+// Finding when rows were handed in (see late_times.h). The first of these counts that says
+// anything: the instructor's column of the list, the instructor's decisions, Moodle's column of
+// the list, what the export has.
 #include "late_times.h"
 
 #include "complain.h"

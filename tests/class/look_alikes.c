@@ -86,7 +86,8 @@ static void groups_make(const Seen *seen, int n, LookAlikes *look_alikes)
         int all_exact = 1;
         for (end = begin; end < n && keys_compare(&seen[begin], &seen[end]) == 0; end++) {
             rows[group.n_rows++] = seen[end].row;
-            all_exact = all_exact && seen[end].row->entrant->is_exact;
+            all_exact = all_exact && seen[end].row->entrant->is_exact &&
+                        seen[end].row->entrant->version == 0;
         }
         if (group.n_rows > 1 && !all_exact) {
             look_alikes->groups[look_alikes->n_groups++] = group;

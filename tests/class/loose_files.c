@@ -4,6 +4,7 @@
 
 #include "bytes_write.h"
 #include "complain.h"
+#include "file_names.h"
 #include "path.h"
 
 #include <ctype.h>
@@ -34,9 +35,7 @@ static int file_copy(int from, int to)
     return n < 0 ? -1 : 0;
 }
 
-// Put a file into the open folder `to`, in place of an earlier one of that name. What is no regular
-// file is left out. Returns 0, or -1 with errno set.
-static int file_put(int from, const char *file, int to, const char *name)
+int loose_file_put(int from, const char *file, int to, const char *name)
 {
     struct stat status;
     if (fstatat(from, file, &status, AT_SYMLINK_NOFOLLOW) != 0) {
@@ -78,12 +77,31 @@ static void number_remove(char *name)
     }
 }
 
-// The student's own name of a file. A number at its end stays where the same student has handed in
-// another file that is called so without it, or with another number: staging says which counts.
-static void own_name(const Export *export, int begin, int end, int i, char name[NAME_MAX + 1])
+// Stud.IP parts two files of one name only by the number before it: from the second on they get one
+// behind it, as other systems write it. versions.h tells them apart.
+static void number_add(const Export *export, int begin, int i, char name[NAME_MAX + 1])
+{
+    char stem[NAME_MAX + 1];
+    int n = 1;
+    for (int k = begin; k < i; k++) {
+        n += strcmp(export->found[k].file + export->found[k].name.file, name) == 0;
+    }
+    snprintf(stem, sizeof stem, "%s", name);
+    const char *ending = strrchr(stem, '.');
+    const int n_stem = (int)(ending != NULL ? ending - stem : (ptrdiff_t)strlen(stem));
+    if (n > 1) {
+        snprintf(name, NAME_MAX + 1, "%.*s (%d)%.32s", n_stem < 200 ? n_stem : 200, stem, n,
+                 stem + n_stem);
+    }
+}
+
+void loose_file_name(const Export *export, int begin, int end, int i, char name[NAME_MAX + 1])
 {
     const Found *found = &export->found[i];
     snprintf(name, NAME_MAX + 1, "%s", found->file + found->name.file);
+    if (found->name.system == SYSTEM_STUDIP) {
+        number_add(export, begin, i, name);
+    }
     if (found->name.system != SYSTEM_CANVAS) {
         return;
     }
@@ -108,8 +126,20 @@ static int names_compare(const struct dirent **left, const struct dirent **right
     return strcmp((*left)->d_name, (*right)->d_name);
 }
 
+// The lab's own name for a file that has it, or has it with a number; any other as it is. Where
+// times tell which upload is the last, the number tells nothing.
+static const char *plain_name(const Manifest *manifest, const char *name)
+{
+    for (int i = 0; i < manifest->n_files; i++) {
+        if (name_match(name, manifest->files[i]) <= NAME_CHANGED) {
+            return manifest->files[i];
+        }
+    }
+    return name;
+}
+
 // The files of a folder of ILIAS's, without the times before their names: the latest of one name.
-static int ilias_put(int parent, const char *file, int to)
+static int ilias_put(int parent, const char *file, int to, const Manifest *manifest)
 {
     struct dirent **entries = NULL;
     const int from = openat(parent, file, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -118,7 +148,8 @@ static int ilias_put(int parent, const char *file, int to)
     for (int i = 0; i < n; i++) {
         const size_t length = ilias_time_length(entries[i]->d_name);
         if (length > 0 && result == 0) {
-            result = file_put(from, entries[i]->d_name, to, entries[i]->d_name + length);
+            result = loose_file_put(from, entries[i]->d_name, to,
+                                    plain_name(manifest, entries[i]->d_name + length));
         }
         free(entries[i]);
     }
@@ -129,7 +160,8 @@ static int ilias_put(int parent, const char *file, int to)
     return result;
 }
 
-int loose_files_collect(const Export *export, int begin, int end, const char *folder)
+int loose_files_collect(const Export *export, int begin, int end, const Manifest *manifest,
+                        const char *folder)
 {
     if (mkdir(folder, 0700) != 0) {
         return fault(folder, errno);
@@ -141,10 +173,10 @@ int loose_files_collect(const Export *export, int begin, int end, const char *fo
         const Found *found = &export->found[i];
         char name[NAME_MAX + 1];
         if (found->name.system == SYSTEM_ILIAS) {
-            result = ilias_put(from, found->file, to);
+            result = ilias_put(from, found->file, to, manifest);
         } else {
-            own_name(export, begin, end, i, name);
-            result = file_put(from, found->file, to, name);
+            loose_file_name(export, begin, end, i, name);
+            result = loose_file_put(from, found->file, to, name);
         }
     }
     const int number = errno;

@@ -8,6 +8,7 @@
 #include "participant_fit.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,6 +32,7 @@ typedef struct Search {
     Worksheet *worksheet;
     const Gradebook *gradebook;
     int n_strangers;  // entries, or members of a team, that fit no line
+    int has_unnamed;  // a team has members whom nothing names
     int failed;       // memory ran out
 } Search;
 
@@ -60,7 +62,12 @@ static void enter(Search *search, int row, int line)
     Participant *participant = &search->worksheet->participants[line - 1];
     const Row *entered = &search->gradebook->rows[row];
     const Row *before = participant->row;
-    if (before != NULL && before != entered) {
+    int n_versions;
+    const Row *first = row_versions(search->gradebook, entered, &n_versions);
+    if (before != NULL && before >= first && before < first + n_versions) {
+        return;  // the versions of one submission are one
+    }
+    if (before != NULL) {
         participant->is_contested = 1;
         say_why(search, row, "line %d of the list also fits \"%s\"", line, before->entrant->entry);
         say_why(search, (int)(before - search->gradebook->rows),
@@ -96,8 +103,10 @@ static void enter_one(Search *search, int row, const char *member, const Lines *
         search->n_strangers++;
         say_why(search, row, "%s%s%sfits no line of the list", before, member, quote);
     } else {
-        say_why(search, row, "%s%s%sfits %d lines of the list, among them %d and %d", before,
-                member, quote, lines->n, lines->line[0], lines->line[1]);
+        say_why(search, row,
+                "%s%s%sfits %d lines of the list, among them %d and %d: if they are one student, "
+                "delete one",
+                before, member, quote, lines->n, lines->line[0], lines->line[1]);
     }
     for (int i = 0; i < lines->n; i++) {
         search->worksheet->participants[lines->line[i] - 1].is_fitted = 1;
@@ -257,6 +266,64 @@ static int decided_enter(Search *search, int row)
     return is_decided;
 }
 
+// What each version of a submission earns, as text for the instructor. Owned; NULL when memory runs
+// out.
+static char *versions_text(const Row *first, int n)
+{
+    char *text = NULL;
+    size_t n_bytes;
+    FILE *file = open_memstream(&text, &n_bytes);
+    for (int i = 0; file != NULL && i < n; i++) {
+        fprintf(file, "%s\"%s\" ", i > 0 ? ", " : "", first[i].entrant->entry);
+        if (row_is_graded(&first[i])) {
+            fprintf(file, "earns %d", first[i].score);
+        } else {
+            fputs(row_status_name(first[i].status), file);
+        }
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return text;
+}
+
+// A row that is one of several versions: it counts only if the instructor says so. Returns whether
+// the row is settled, as another version counts.
+static int version_leave(Search *search, int row)
+{
+    int n;
+    const Gradebook *gradebook = search->gradebook;
+    const Decisions *decisions = gradebook->decisions;
+    const Row *first = row_versions(gradebook, &gradebook->rows[row], &n);
+    for (int i = 0; decisions != NULL && i < decisions->n; i++) {
+        const Row *decided = &gradebook->rows[decisions->all[i].row];
+        if (decisions->all[i].kind == DECISION_YES && decided >= first && decided < first + n) {
+            search->worksheet->entered[row].left_out = "another version counts, as you decided";
+            return 1;
+        }
+    }
+    char *text = versions_text(first, n);
+    if (text == NULL) {
+        search->failed = 1;
+        return 1;
+    }
+    say_why(search, row, "is one of several versions, and no time says which is the last: %s",
+            text);
+    free(text);
+    return 0;
+}
+
+// Versions count for nobody until the instructor has decided.
+static void versions_contest(Search *search, int row)
+{
+    int n;
+    const Row *first = row_versions(search->gradebook, &search->gradebook->rows[row], &n);
+    for (int i = 1; i < search->worksheet->n_participants; i++) {
+        Participant *participant = &search->worksheet->participants[i];
+        participant->is_contested |= participant->row >= first && participant->row < first + n;
+    }
+}
+
 int owners_find(Worksheet *worksheet, const Gradebook *gradebook)
 {
     Search search = {.worksheet = worksheet, .gradebook = gradebook};
@@ -265,14 +332,22 @@ int owners_find(Worksheet *worksheet, const Gradebook *gradebook)
         if (row_that_counts(gradebook, &gradebook->rows[i]) != &gradebook->rows[i]) {
             continue;
         }
-        if (decided_enter(&search, i)) {
+        const int is_version = entrant->version > 0;
+        if (decided_enter(&search, i) || (is_version && version_leave(&search, i))) {
             continue;
         }
-        for (int m = 0; m < entrant->n_members; m++) {
+        const int has_group =
+            (entrant->n_members == 0 || entrant->is_team) && team_enter(&search, i, entrant) > 0;
+        for (int m = 0; !has_group && m < entrant->n_members; m++) {
             member_enter(&search, i, &entrant->members[m]);
         }
-        if (entrant->n_members == 0 && team_enter(&search, i, entrant) == 0) {
+        if (!has_group && entrant->n_members == 0) {
             person_enter(&search, i, entrant);
+        }
+        // Of those who are not named any may be of the team.
+        search.has_unnamed |= !has_group && entrant->is_team;
+        if (is_version) {
+            versions_contest(&search, i);
         }
     }
     for (int i = 1; i < worksheet->n_participants; i++) {
@@ -283,7 +358,8 @@ int owners_find(Worksheet *worksheet, const Gradebook *gradebook)
             worksheet->entered[participant->row - gradebook->rows].n_participants++;
         }
         // An entry that fits nobody may be anybody's.
-        participant->is_fitted = participant->is_fitted || search.n_strangers > 0;
+        participant->is_fitted =
+            participant->is_fitted || search.n_strangers > 0 || search.has_unnamed;
     }
     return search.failed ? -1 : 0;
 }

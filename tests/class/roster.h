@@ -6,6 +6,7 @@
 #define CLASS_ROSTER_H
 
 #include "gradescope_names.h"
+#include "manifest.h"
 
 typedef struct Entrant {
     char *name;    // the student or the team, fit to be shown
@@ -18,10 +19,13 @@ typedef struct Entrant {
     ExportSystem time_from;  // where that is from, by the table of evidence.h
     int is_late;             // the system marked it so
     int attempt;             // 1, 2 ... of entries that a system's export gives to one student
+    int version;  // 1, 2 ... of an entry with several versions of a file (versions.h), which are one
+                  // below the other; else 0
     int is_exact;     // name and number are the host's own: others like them are somebody else's
     int is_link;      // neither a folder nor a file: cannot be graded
     Member *members;  // who handed it in, where the export says more than a name; else none
     int n_members;
+    int is_team;  // of ILIAS: the members are not all of the team
 } Entrant;
 
 typedef struct Roster {
@@ -34,14 +38,15 @@ typedef struct Roster {
 // Read the folder of submissions (export.h): each folder and each archive in it is an entry, and so
 // are all single files of one attempt, where a course system has named them.
 //   lab_number   GitHub Classroom's names begin with it
+//   manifest     the lab's, without files where it is not known: then no versions are parted
 //   only_latest  of the entries that a course system's export gives to one student keep the last:
 //                by its time, else files after text typed into a form, and these by name. A name
 //                that only ends like an attempt's, "ada-2", may be anybody's, and stays.
 //   folder       receives, made anew, a folder "submissions" with a symbolic link SLUG -> entry for
 //                each, and a folder "collected" with single files
 // Returns 0, or -1 after one message on stderr. Release with roster_free().
-int roster_read(const char *submissions, int lab_number, int only_latest, const char *folder,
-                Roster *roster);
+int roster_read(const char *submissions, int lab_number, const Manifest *manifest, int only_latest,
+                const char *folder, Roster *roster);
 
 // Write and read it as JSON. Return 0, or -1 after one message on stderr.
 int roster_save(const Roster *roster, const char *path);

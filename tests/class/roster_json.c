@@ -49,13 +49,13 @@ int roster_save(const Roster *roster, const char *path)
     }
     for (int i = 0; !failed && i < roster->n_entrants; i++) {
         const Entrant *entrant = &roster->entrants[i];
-        json_t *entry =
-            json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:b, s:b, s:o}", "id",
-                      entrant->slug, "name", entrant->name, "label", entrant->label, "number",
-                      entrant->number, "entry", entrant->entry, "time", entrant->time, "time_from",
-                      evidence_of(entrant->time_from)->title, "late", entrant->is_late, "attempt",
-                      entrant->attempt, "exact", entrant->is_exact, "link", entrant->is_link,
-                      "members", members_json(entrant));
+        json_t *entry = json_pack(
+            "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:i, s:b, s:b, s:b, s:o}", "id",
+            entrant->slug, "name", entrant->name, "label", entrant->label, "number",
+            entrant->number, "entry", entrant->entry, "time", entrant->time, "time_from",
+            evidence_of(entrant->time_from)->title, "late", entrant->is_late, "attempt",
+            entrant->attempt, "version", entrant->version, "exact", entrant->is_exact, "link",
+            entrant->is_link, "team", entrant->is_team, "members", members_json(entrant));
         failed = json_array_append_new(list, entry) != 0;
     }
     json_t *whole = json_pack("{s:o, s:o}", "entries", list, "passed_over", passed_over);
@@ -91,10 +91,11 @@ static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
     const char *slug, *name, *label, *number, *entry, *time, *time_from;
     json_t *members;
     if (json_unpack_ex(json, error, JSON_STRICT,
-                       "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:b, s:b, s:o}", "id", &slug,
-                       "name", &name, "label", &label, "number", &number, "entry", &entry, "time",
-                       &time, "time_from", &time_from, "late", &entrant->is_late, "attempt",
-                       &entrant->attempt, "exact", &entrant->is_exact, "link", &entrant->is_link,
+                       "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:i, s:b, s:b, s:b, s:o}",
+                       "id", &slug, "name", &name, "label", &label, "number", &number, "entry",
+                       &entry, "time", &time, "time_from", &time_from, "late", &entrant->is_late,
+                       "attempt", &entrant->attempt, "version", &entrant->version, "exact",
+                       &entrant->is_exact, "link", &entrant->is_link, "team", &entrant->is_team,
                        "members", &members) != 0) {
         return -1;
     }

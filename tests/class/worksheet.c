@@ -74,6 +74,53 @@ static int persons_check(const Worksheet *worksheet)
                              "\"Username\", \"ID number\" or \"Email\"");
 }
 
+enum { N_KEYS = 4 };
+
+// Do two lines have one number, login or address, and one name? Returns 1; 2: another name beside
+// one number of Moodle's, which a system gives to one student; else 0.
+//   keys   the columns; the first is the system's number; -1 where there is none
+static int lines_repeat(const Worksheet *worksheet, const int keys[N_KEYS], const Participant *a,
+                        const Participant *b)
+{
+    char name_a[ENTRY_NAME_BYTES], name_b[ENTRY_NAME_BYTES];
+    int n_same = 0, n_other = 0, is_same_number = 0;
+    for (int i = 0; i < N_KEYS; i++) {
+        const char *key = cell_at(a, keys[i]), *other = cell_at(b, keys[i]);
+        const int is_same = key[0] != '\0' && strcasecmp(key, other) == 0;
+        n_same += is_same;
+        n_other += !is_same && key[0] != '\0' && other[0] != '\0';
+        is_same_number |= is_same && i == 0;
+    }
+    if (n_same == 0) {
+        return 0;
+    }
+    participant_name(worksheet, a, name_a), participant_name(worksheet, b, name_b);
+    return strcmp(name_a, name_b) == 0 ? n_other == 0 : 2 * is_same_number;
+}
+
+// A student who is in the list twice would be entered nowhere. Returns 0, or -1 after one message.
+static int repeats_check(const Worksheet *worksheet)
+{
+    const int keys[N_KEYS] = {
+        participant_column(worksheet, CELL_NUMBER), participant_column(worksheet, CELL_MAIL),
+        participant_column(worksheet, CELL_SID), participant_column(worksheet, CELL_USER)};
+    for (int i = 1; i < worksheet->n_participants; i++) {
+        for (int k = 1; k < i; k++) {
+            const int repeats = lines_repeat(worksheet, keys, &worksheet->participants[k],
+                                             &worksheet->participants[i]);
+            if (repeats != 0) {
+                return sheet_fault(worksheet->path, i + 1,
+                                   repeats == 1
+                                       ? "the student of line %d again: delete one of the two lines"
+                                       : "found the number of line %d under another name: correct "
+                                         "one, or delete it",
+                                   k + 1);
+            }
+        }
+    }
+    return 0;
+}
+
 // The maximum that a line has, and its decimal sign; the lab's, where it has none. Returns 0, or -1
 // when there is something else.
 static int maximum_read(const Worksheet *worksheet, const Participant *participant, int max_score,
@@ -121,7 +168,7 @@ int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gra
         return -1;
     }
     worksheet->has_one_domain = has_one_domain(worksheet);
-    if (persons_check(worksheet) != 0 ||
+    if (persons_check(worksheet) != 0 || repeats_check(worksheet) != 0 ||
         list_columns_find(worksheet, given->column, lab != NULL ? atoi(lab) : -1) != 0 ||
         maxima_check(worksheet) != 0) {
         worksheet_free(worksheet);

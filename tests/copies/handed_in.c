@@ -65,12 +65,12 @@ static void author_free(Author *author)
     *author = (Author){0};
 }
 
-// Is it a later attempt of the last author?
+// Is it a later attempt of the last author, or another version of it?
 static int is_next_attempt(const HandedIn *class, const Entrant *entrant)
 {
     const Entrant *last =
         class->n_authors > 0 ? class->authors[class->n_authors - 1].entrant : NULL;
-    return last != NULL && entrant->attempt > last->attempt &&
+    return last != NULL && (entrant->attempt > last->attempt || entrant->version > 1) &&
            strcmp(entrant->name, last->name) == 0 && strcmp(entrant->number, last->number) == 0;
 }
 
