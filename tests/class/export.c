@@ -152,8 +152,8 @@ static int names_compare(const void *left, const void *right)
     return strcmp(*(char *const *)left, *(char *const *)right);
 }
 
-// Gradescope's folders have numbers; who handed in is in a file beside them. A student may hand in a
-// file of this name: it counts only where all there is are such folders, and it names them all.
+// Gradescope's folders have numbers; who handed in is in a file beside them. A student may hand in
+// a file of this name: it counts only where all there is are such folders, and it names them all.
 static int submitters_read(Export *export)
 {
     int n_lists = 0, n_named = 0;

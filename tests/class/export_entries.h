@@ -16,8 +16,8 @@ void export_entries_free(Export *export);
 // Is it what an unpacker, a desktop or a course system puts beside the entries, by its name?
 int export_is_extra(const char *file);
 
-// Has a file the name of a system's list, which says whose the entries are? Among the entries it may
-// be any student's.
+// Has a file the name of a system's list, which says whose the entries are? Among the entries it
+// may be any student's.
 int export_is_list(const char *file);
 
 // Say what is wrong with a folder. Returns -1.

@@ -104,9 +104,9 @@ static void login_read(Found *found, const char *title, size_t n_title)
     }
 }
 
-// Has ILIAS written times before the files' names? In a newer release a student may have named files
-// so. One alone cannot: more than half of the folders, and two at least, must have nothing but such
-// files.
+// Has ILIAS written times before the files' names? In a newer release a student may have named
+// files so. One alone cannot: more than half of the folders, and two at least, must have nothing
+// but such files.
 static int has_ilias_times(const Export *export)
 {
     enum { FEWEST = 2 };

@@ -1,6 +1,6 @@
-// Finding when rows were handed in (see late_times.h). The first of these counts that says anything:
-// the instructor's column of the list, the instructor's decisions, Moodle's column of the list, what
-// the export has.
+// Finding when rows were handed in (see late_times.h). The first of these counts that says
+// anything: the instructor's column of the list, the instructor's decisions, Moodle's column of
+// the list, what the export has.
 #include "late_times.h"
 
 #include "complain.h"
@@ -187,11 +187,31 @@ static int needs_time(const Gradebook *gradebook, const Worksheet *worksheet, co
     return entered->left_out == NULL && (!has_times || entered->n_participants > 0);
 }
 
+// Attempts are in the order of their times: one without may be later than the row that counts.
+static const Entrant *untimed_attempt(const Gradebook *gradebook, const Row *row)
+{
+    const int n_before = (int)(row - gradebook->rows);
+    for (int i = 1; i < row->entrant->attempt && i <= n_before; i++) {
+        const Entrant *other = row[-i].entrant;
+        if (row->entrant->time_from != SYSTEM_NONE && other->time_from == SYSTEM_NONE &&
+            row_that_counts(gradebook, row - i) == row) {
+            return other;
+        }
+    }
+    return NULL;
+}
+
 static int row_find(const Lateness *lateness, const Gradebook *gradebook,
                     const Worksheet *worksheet, const Row *row, LateRow *late)
 {
     if (!late->is_said && !late->has_time && late->unknown == NULL &&
         entrant_read(lateness, row->entrant, late) != 0) {
+        return -1;
+    }
+    const Entrant *other = untimed_attempt(gradebook, row);
+    if (!late->is_said && other != NULL &&
+        unknown_set(late, "another attempt, of which nobody knows the time, may be later: \"%s\"",
+                    other->entry) != 0) {
         return -1;
     }
     if (late->unknown != NULL && !needs_time(gradebook, worksheet, row)) {

@@ -126,8 +126,8 @@ static int names_compare(const struct dirent **left, const struct dirent **right
     return strcmp((*left)->d_name, (*right)->d_name);
 }
 
-// The lab's own name for a file that has it, or has it with a number; any other as it is. Where times
-// tell which upload is the last, the number tells nothing.
+// The lab's own name for a file that has it, or has it with a number; any other as it is. Where
+// times tell which upload is the last, the number tells nothing.
 static const char *plain_name(const Manifest *manifest, const char *name)
 {
     for (int i = 0; i < manifest->n_files; i++) {

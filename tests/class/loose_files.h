@@ -18,8 +18,8 @@ int loose_files_collect(const Export *export, int begin, int end, const Manifest
 // it, or with another number: staging says which counts.
 void loose_file_name(const Export *export, int begin, int end, int i, char name[NAME_MAX + 1]);
 
-// Put a file of the open folder `from` into the open folder `to`, in place of an earlier one of that
-// name. What is no regular file is left out. Returns 0, or -1 with errno set.
+// Put a file of the open folder `from` into the open folder `to`, in place of an earlier one of
+// that name. What is no regular file is left out. Returns 0, or -1 with errno set.
 int loose_file_put(int from, const char *file, int to, const char *name);
 
 #endif

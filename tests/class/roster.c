@@ -60,8 +60,8 @@ static int link_make(const char *target, const char *name, const char *links, co
     return symlink(from, to) == 0 ? 0 : fault(to, strerror(errno));
 }
 
-// Those of a team of ILIAS' who have uploaded: their folders are in the team's. Returns 0, or -1 when
-// memory runs out.
+// Those of a team of ILIAS' who have uploaded: their folders are in the team's. Returns 0, or -1
+// when memory runs out.
 static int team_make(const Export *export, const Found *found, Entrant *entrant)
 {
     char path[PATH_MAX], none[] = "";
@@ -109,8 +109,8 @@ typedef struct Attempt {
     int number;  // 1, 2 ... of one student's
 } Attempt;
 
-// Add an entrant for an attempt, or for a version of it, without a link. `entry`: what it is called.
-// Returns it, or NULL when memory runs out.
+// Add an entrant for an attempt, or for a version of it, without a link. `entry`: what it is
+// called. Returns it, or NULL when memory runs out.
 static Entrant *entrant_add(Roster *roster, const Attempt *attempt, const char *entry, int version)
 {
     const Export *export = attempt->export;
@@ -159,7 +159,8 @@ static void version_name(const Attempt *attempt, const Place *place, char name[P
               place->name);
 }
 
-// What an attempt is called: of Stud.IP's by all its files, as they may be those of two of one name.
+// What an attempt is called: of Stud.IP's by all its files, as they may be those of two of one
+// name.
 static void attempt_name(const Attempt *attempt, char name[ENTRY_NAME_BYTES])
 {
     const Found *found = &attempt->export->found[attempt->begin];
@@ -174,8 +175,8 @@ static void attempt_name(const Attempt *attempt, char name[ENTRY_NAME_BYTES])
     }
 }
 
-// Add an entrant for each version of an attempt, with a folder of its own. `from`: where the attempt
-// is. Returns 0, or -1 after one message.
+// Add an entrant for each version of an attempt, with a folder of its own. `from`: where the
+// attempt is. Returns 0, or -1 after one message.
 static int versions_add(Roster *roster, const Attempt *attempt, const Versions *versions,
                         const char *from)
 {

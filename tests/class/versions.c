@@ -1,5 +1,5 @@
-// Finding and parting versions (see versions.h). The student filled the folder: no link is followed,
-// and all that is read of it is bounded. Read next: places.h, loose_files.h.
+// Finding and parting versions (see versions.h). The student filled the folder: no link is
+// followed, and all that is read of it is bounded. Read next: places.h, loose_files.h.
 #include "versions.h"
 
 #include "complain.h"

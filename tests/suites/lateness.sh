@@ -18,9 +18,9 @@ graded() {
 }
 # again OPTION...: with the results that are there.
 again() { run "$out" "$@"; }
-# of NAME FILTER: of a student in gradebook.json.
+# of NAME FILTER: of a student in gradebook.json, of the attempt that counts.
 of() {
-    jq -r --arg name "$1" ".students[] | select(.name == \$name) | $2" "$out/gradebook.json" | paste -s -d ' '
+    jq -r --arg name "$1" ".students[] | select(.counts and .name == \$name) | $2" "$out/gradebook.json" | paste -s -d ' '
 }
 # is NAME SCORE SECONDS: what became of a student.
 # shellcheck disable=SC2317 # called by check
@@ -249,6 +249,13 @@ check "before a file" exits 1 graded
 check "nobody knows which is it" open Eve \
     "nobody knows when it was handed in: its name has two dates, or one in a form that the grader does not know"
 rm "$eve - gradient.cl"
+mkdir "$class/40012-880040 - Ada Lovelace - Nov 24, 2026 900 AM" "${eve%% - *} - Eve - Nov 20, 2026 900 AM"
+touch "$eve - gradient.cl"
+check "beside another attempt" exits 1 graded
+check "nobody knows which is the last" open Eve "another attempt, of which nobody knows the time, may be later: \"${eve##*/} - gradient.cl\""
+check "of two times anybody does" is "Ada Lovelace" 100 0
+rm "$eve - gradient.cl"
+rmdir "${eve%% - *} - Eve - Nov 20, 2026 900 AM" "$class/40012-880040"*
 check "without it" exits 0 graded
 check "at noon and at midnight" is "Bob Ross" 90 360
 check "one in time" is "Ada Lovelace" 100 0
