@@ -19,10 +19,9 @@ typedef struct Entrant {
     ExportSystem time_from;  // where that is from, by the table of evidence.h
     int is_late;             // the system marked it so
     int attempt;             // 1, 2 ... of entries that a system's export gives to one student
-    int version;  // 1, 2 ... of an entry with several versions of a file (versions.h), which are one
-                  // below the other; else 0
-    int is_exact;     // name and number are the host's own: others like them are somebody else's
-    int is_link;      // neither a folder nor a file: cannot be graded
+    int version;   // 1, 2 ... of several versions of a file (versions.h), rows in that order; or 0
+    int is_exact;  // name and number are the host's own: others like them are somebody else's
+    int is_link;   // neither a folder nor a file: cannot be graded
     Member *members;  // who handed it in, where the export says more than a name; else none
     int n_members;
     int is_team;  // of ILIAS: the members are not all of the team
