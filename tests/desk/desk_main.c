@@ -1,6 +1,6 @@
 // desk: what a student asks for beside the grader.
 //
-//     desk note --lab 03       note the last grading in progress.json; offer a wrong pixel
+//     desk note --lab 03       note the last grading in progress.json; say how a pixel is followed
 //     desk hint --lab 03       one more hint for the first fault of the last grading
 //     desk progress            labs and tasks with points, and what is next
 //     desk watch --lab 03      after every save compile, draw and grade
@@ -55,24 +55,21 @@ static int print_help(void)
     return standard_output_check() == 0 ? 0 : EXIT_FAULT;
 }
 
-// Note what was reached; where a picture is wrong, offer to follow a pixel. Returns 0, or -1 after
-// one message.
+// Note what was reached; where a picture is wrong, say how a pixel is followed. The message names one
+// of a hidden scene, and finding a wrong one of the open scene would run what stands in labs/, which
+// may be somebody else's. Returns 0, or -1 after one message.
 static int note(const Desk *desk)
 {
     char path[PATH_MAX];
     path_make(path, "%s/grade/%.2s/results.json", desk->build, desk->lab->lab);
     json_t *results = results_load(path);
     const int noted = results != NULL ? record_note(results) : -1;
-    // A message that names a pixel names one of a hidden scene: the open one can be followed.
-    if (strstr(text_of(results_first_fault(results), "message"), ": pixel (") != NULL) {
-        Look look;
-        look_open(desk, &look);
-        char *command = look_for_command(&look);
-        if (command != NULL) {
-            printf("See why: %s\n", command);
-        }
-        free(command);
-        look_close(&look);
+    const char *message = text_of(results_first_fault(results), "message");
+    if (strstr(message, ": pixel (") != NULL && look_can_be_followed(desk)) {
+        printf("See why: make pixel LAB=%.2s AT=x,y with a wrong pixel of the lab's first scene, "
+               "which "
+               "make watch LAB=%.2s finds\n",
+               desk->lab->lab, desk->lab->lab);
     }
     json_decref(results);
     return noted;
