@@ -65,6 +65,18 @@ check "the driver killed: all that it started ends" await none_left
 n_kept=$(n_results)
 check "there is no gradebook yet" test ! -e "$first/gradebook.csv"
 
+# A signal, as make passes it on.
+BUILD=$build make -s --old-file=grader grade-class LAB=0 SUBMISSIONS="$class" OUTPUT="$first" >"$scratch/said" 2>&1 </dev/null &
+driver=$!
+check "resumed: a grader is at work" await is_at_work tools/grade
+check "its folder says whose it is" grep -q '^make grade-class, process [0-9]* on ' "$first/lock"
+kill -TERM $driver
+wait $driver
+check "TERM to make: all that it started has ended" test -z "$(processes "$first")"
+check "and the message says what goes on" said 'grade-class: ended by a signal; the same command goes on'
+check "and nothing of it is left" test -z "$(ls -A "$TMPDIR")"
+check "nor the lock held" flock --nonblock "$first/lock" true
+
 run "$first" &
 driver=$!
 check "resumed: a grader is at work" await is_at_work tools/grade

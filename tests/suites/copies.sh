@@ -303,7 +303,7 @@ EOF
     plain) check "$how: nobody is hard to compare" is "$(hard)" "" ;;
     esac
 done
-hand_in_pair after_many_forms
+hand_in_pair after_many_forms after_many_forms
 check "a pair that shares many forms" look 0 --lab 03 --submissions "$class"
 check "has a thousand of them in copies.json" is "$(jq -c '[.pairs[] | .forms | length] | max' "$out/copies.json")" 1000
 check "and all are counted" test "$(jq '[.pairs[].shared] | max' "$out/copies.json")" -gt 3000
