@@ -18,7 +18,7 @@ attended=
 attend() {
     "$@" <&3 3<&- &
     attended=$!
-    wait $attended
+    wait "$attended"
     attended_status=$?
     attended=
     return $attended_status
@@ -29,8 +29,8 @@ attend() {
 stop() {
     trap '' INT TERM HUP PIPE
     if [ -n "$attended" ]; then
-        kill -KILL $attended
-        wait $attended
+        kill -KILL "$attended"
+        wait "$attended"
     fi 2>/dev/null
     stop_waits
     die "ended by a signal; the same command goes on where this one stopped"

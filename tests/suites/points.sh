@@ -72,7 +72,6 @@ hides() { ! grep -qF -- "$1" "$2" || { cat "$2"; return 1; }; }
 
 check "a wrong answer, as the course has it" exits 1 grade "$wrong" --seed 7
 check "fails what is equally deep" test "$(value '.checks[] | select(.id == "leaf-order") | .status')" = failed
-finding=$(value '.checks[] | select(.id == "leaf-order") | .message')
 
 own child-inside,20,, descent-work,0,, 'leaf-order,5,"Say it, in one word.",' leaf-edges,10,, TOTAL,90,, SEED,7,, \
     TIME_LIMIT,30,,
