@@ -118,6 +118,20 @@ check "every picture and report of the page is there" sh -c 'cd "$1" &&
     grep -o "\(href\|src\)=\"students/[^\"]*" class.html | cut -d "\"" -f 2 | xargs ls -d' - "$first"
 check "nothing of the kill is left" test -z "$(ls -A "$TMPDIR")$(find "$first/students" -name '*.new')"
 
+# ---- An entry that is made to be looked into for long --------------------------------------------
+
+# Sparse files as large as an archive may be: of all of them together only so much is read, the smallest first.
+looked=$scratch/looked
+mkdir -p "$looked/submissions/ada"
+for i in 1 2 3; do truncate -s 64M "$looked/submissions/ada/$i.bin"; done
+cp solutions/$lab/render.c "$looked/submissions/ada/z.c"
+content() { printf 'ada\tAda L.\n' | "$build/tools/gradebook" contents "$looked" 2>"$scratch/said"; }
+content_before=$(content)
+check "large files: whose they are is said" said '"Ada L.": more than 100000 files or 128 MB'
+echo >>"$looked/submissions/ada/z.c"
+check "and a change of an answer is seen" test "$(content)" != "$content_before"
+rm -r "$looked"
+
 heart_ends
 
 # ---- Uninterrupted ------------------------------------------------------------------------------

@@ -237,10 +237,9 @@ Test(copies_hiding, no_text_takes_long)
     static const struct {
         const char *first, *then;
     } rows[] = {
-        {"auto ", "{"},         {"x (", "{"},     {"x ", "{}"},
-        {"f(a) ", "{} "},       {"", "if (0) {"}, {"", "case "},
-        {"f(", "int a, "},      {"", "(int "},    {"x", "(- "},
-        {"x ", "/*a*\\\n/ b "}, {"", "#if A\n"},  {"", "#define A(x) x;\n"},
+        {"auto ", "{"},   {"x (", "{"},           {"x ", "{}"},      {"f(a) ", "{} "},
+        {"", "if (0) {"}, {"", "case "},          {"f(", "int a, "}, {"", "(int "},
+        {"x", "(- "},     {"x ", "/*a*\\\n/ b "}, {"", "#if A\n"},   {"", "#define A(x) x;\n"},
     };
     enum { MOST_BYTES = 256 * 1024, FIRST_BYTES = 100000 };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
