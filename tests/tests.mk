@@ -28,7 +28,7 @@ grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(O
 grader: $(addprefix $(OUT)/tools/,holes gradebook points term mutants mutate pairs)
 .PHONY: grade-class
 grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
-	@tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
+	@exec tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
 	    $(if $(AGAIN),--again "$$AGAIN") $(if $(LIST),--list "$$LIST") $(if $(MOODLE),--moodle "$$MOODLE") $(if $(COLUMN),--column "$$COLUMN") \

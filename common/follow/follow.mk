@@ -49,7 +49,7 @@ with_options = printf %s "$$OPTIONS" | xargs $(1)
 pixel_files = $(OUT)/pixel/$(graded_lab)
 .PHONY: pixels pixel
 pixels: $(PIXELS)
-pixel:  ## follow one pixel, step by step: LAB=03 AT=200,120 [SOLUTION=1] [OPTIONS="--scene ..."]
+pixel:  ## follow one pixel, step by step (outside the sandbox: own code only): LAB=03 AT=200,120 [SOLUTION=1] [OPTIONS="--scene ..."]
 	+@$(call is_one_of,$(FOLLOWED),pixel to follow); test -n "$$AT" || { echo 'make $@: say which pixel: make $@ LAB=$(EXAMPLE_LAB) AT=200,120' >&2; exit 2; }; \
 	    $(MAKE) -s --no-print-directory $(call own_program,pixel)
 	@$(call with_options,$(call own_program,pixel) --pixel "$$AT" --json $(pixel_files).json --svg $(pixel_files).svg)

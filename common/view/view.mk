@@ -15,9 +15,9 @@ $(VIEWS): $(OUT)/view/%: $(call objects,$(VIEW_SOURCES)) $$(call follow_objects,
 view_ready = $(call is_one_of,$(SEEN),window); common/setup/install.sh view && $(MAKE) -s --no-print-directory $(call own_program,view)
 .PHONY: views view movie
 views: $(VIEWS)
-view:  ## install what is missing, fly through LAB=03 in a window [SOLUTION=1] [OPTIONS="--size 800x600 ..."]
+view:  ## install what is missing, fly through LAB=03 in a window (outside the sandbox: own code only) [SOLUTION=1] [OPTIONS="--size 800x600 ..."]
 	+@$(view_ready)
 	@$(call with_options,$(call own_program,view))
-movie:  ## once round the scene, as pictures and, with ffmpeg, as a film: LAB=03 [SOLUTION=1] [OPTIONS=...]
+movie:  ## once round the scene, as pictures and, with ffmpeg, as a film (outside the sandbox: own code only): LAB=03 [SOLUTION=1] [OPTIONS=...]
 	+@$(view_ready)
 	@$(call with_options,common/view/movie.sh $(call own_program,view) $(OUT)/movie/$(graded_lab))

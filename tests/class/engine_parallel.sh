@@ -15,7 +15,7 @@ engine_run() {
     # It ends with the driver, and each of its jobs with it. Its users' habits, in PARALLEL or in a profile,
     # are not for this (--plain).
     # shellcheck disable=SC2086 # an option or none
-    setpriv --pdeathsig KILL parallel --plain --will-cite $bar --jobs "${2:-$(nproc)}" \
+    attend setpriv --pdeathsig KILL parallel --plain --will-cite $bar --jobs "${2:-$(nproc)}" \
         --joblog "+$CLASS_FOLDER/joblog" --tmpdir "$CLASS_WORK-parallel" \
         'exec setpriv --pdeathsig KILL tests/class/grade_one.sh {}' :::: "$1"
 }

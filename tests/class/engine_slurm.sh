@@ -21,7 +21,7 @@ engine_run() {
     for block in "$1".*; do
         # It ends with the driver; the array is ended at the next start, or by engine_end.
         # shellcheck disable=SC2016 # for the task
-        setpriv --pdeathsig KILL sbatch --wait --parsable --job-name="$slurm_name" \
+        attend setpriv --pdeathsig KILL sbatch --wait --parsable --job-name="$slurm_name" \
             --array="1-$(wc -l <"$block")${2:+%$2}" --ntasks=1 --export=ALL --chdir="$PWD" \
             --open-mode=append --output="$CLASS_FOLDER/logs/slurm.txt" --wrap \
             'exec tests/class/grade_one.sh $(sed -n "${SLURM_ARRAY_TASK_ID}p" "'"$block"'")' \

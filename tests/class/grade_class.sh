@@ -22,7 +22,8 @@
 #     --names no             also a page for the lecture hall, without names
 #     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
 #
-# Killed at any point, the same command goes on where it stopped. A submission is graded when its
+# Killed at any point, the same command goes on where it stopped. A signal ends it, with all that it has
+# started, within moments. A submission is graded when its
 # key has changed: a hash of its bytes, the grader, the lab and the seed. The last line counts all. Exit
 # status: 0; 1 when somebody's work could be lost: not graded, not entered for somebody, or passed
 # over; 2 when there is no gradebook. Read next: grade_one.sh, one submission;
@@ -42,6 +43,8 @@ else
     exec env -i "$@"
 fi
 export LC_ALL=C
+# shellcheck source=tests/class/one_run.sh
+. tests/class/one_run.sh
 
 die() {
     printf 'grade-class: %s\n' "$*" >&2
@@ -161,10 +164,7 @@ CLASS_FOLDER=$(cd "$CLASS_FOLDER" && pwd -P)
 
 # ---- After a run that was killed ----------------------------------------------------------------
 
-# All processes of a run hold this lock, so that it is free when the last of them has ended.
-: >>"$CLASS_FOLDER/lock"
-exec 9<"$CLASS_FOLDER/lock"
-flock --wait 20 9 || die "$CLASS_FOLDER: another run is at work there"
+folder_hold "$CLASS_FOLDER" "make grade-class"
 
 # One lab, as another one's gradebook would take the place of this one's.
 of_lab=$(grep . "$CLASS_FOLDER/lab" 2>/dev/null ||
@@ -202,8 +202,16 @@ engine_check
 put engine "$engine"
 rm -rf "$CLASS_FOLDER/faults"
 mkdir "$CLASS_FOLDER/faults" "$CLASS_FOLDER/answers" "$CLASS_FOLDER/pending" || exit 2
+# Each grading ends with whoever started it: a moment after them all.
+stop_waits() {
+    tries=100
+    while [ $tries -gt 0 ] && grep -qszFx "CLASS_FOLDER=$CLASS_FOLDER" /proc/[0-9]*/environ; do
+        sleep 0.05
+        tries=$((tries - 1))
+    done
+}
 trap 'clear' EXIT
-trap 'exit 2' INT TERM HUP PIPE
+trap 'stop' INT TERM HUP PIPE
 
 # ---- What there is to do ------------------------------------------------------------------------
 
@@ -212,9 +220,12 @@ if [ -f "$submissions" ]; then
     # What is above the students' folder goes along: no student can have put it there.
     top=$CLASS_WORK-export/unpack-0/out
     { mkdir -m 711 "$CLASS_WORK-export" &&
-        unpacked=$("$CLASS_BUILD/tools/gradebook" unpack "$CLASS_BUILD" "$submissions" "$CLASS_WORK-export") &&
+        attend "$CLASS_BUILD/tools/gradebook" unpack "$CLASS_BUILD" "$submissions" "$CLASS_WORK-export" \
+            >"$CLASS_FOLDER/todo.unpacked" &&
         rm -rf "$CLASS_FOLDER/export" &&
-        (umask 077 && cp -RPT --preserve=timestamps "$top" "$CLASS_FOLDER/export") &&
+        unpacked=$(cat "$CLASS_FOLDER/todo.unpacked") &&
+        (umask 077 && mkdir "$CLASS_FOLDER/export") &&
+        attend cp -RPT --preserve=timestamps "$top" "$CLASS_FOLDER/export" &&
         rm -rf "$CLASS_WORK-export"; } || exit 2
     submissions=$CLASS_FOLDER/export${unpacked#"$top"}
 fi
@@ -222,7 +233,7 @@ fi
 latest=
 [ "$only" != latest ] || latest=--latest
 # shellcheck disable=SC2086 # an option or none
-"$CLASS_BUILD/tools/gradebook" roster $latest ${due:+--commits} "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
+attend "$CLASS_BUILD/tools/gradebook" roster $latest ${due:+--commits} "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
     >"$CLASS_FOLDER/names" || exit 2
 
 # The instructor's own points: those that are given, or were for this class. As a manifest (class/points_tool.c).
@@ -247,23 +258,11 @@ grader=$({
         sort -z | xargs -0 sha256sum
 } | sha256sum | cut -c 1-64)
 
-# content PATH: names, kinds and sizes of all there is, and the bytes of what could be graded. No
-# link is followed but the roster's own.
-content() {
-    (
-        cd "$CLASS_FOLDER/submissions" || exit
-        find -H "$1" -printf '%y %s %P %l\0' | sort -z
-        timeout 60 find -H "$1" -type f -size -65M -print0 | sort -z | xargs -0 sha256sum
-    ) 2>&1 | sha256sum | cut -c 1-64
-}
-
 # Left by a version whose seeds had 32 bits. As after any other change of the grader all is graded again.
 [ ! -e "$CLASS_FOLDER/seed" ] || (cd "$CLASS_FOLDER" && rm -rf rounds round seed)
 
 # A line "SLUG KEY SEED" for each (class_keys.h). The secret behind the seeds is only in the folder.
-while read -r slug _; do
-    echo "$slug $(content "$slug")" || die "$CLASS_FOLDER/contents: cannot be written"
-done <"$CLASS_FOLDER/names" >"$CLASS_FOLDER/contents"
+attend "$CLASS_BUILD/tools/gradebook" contents "$CLASS_FOLDER" <"$CLASS_FOLDER/names" >"$CLASS_FOLDER/contents" || exit 2
 # Nor does anybody else read the seeds, should the folder be open.
 (umask 077 && "$CLASS_BUILD/tools/gradebook" keys ${seed:+--seed "$seed"} "$grader" "$CLASS_FOLDER" \
     <"$CLASS_FOLDER/contents") || exit 2
@@ -278,7 +277,7 @@ set --
 [ -z "$due" ] || set -- "$@" --due "$due"
 [ -z "$late" ] || set -- "$@" --late "$late"
 [ -z "$against" ] || set -- "$@" --against "$against"
-"$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
+attend "$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
 
 # has_full_marks SLUG
 has_full_marks() {
@@ -333,4 +332,4 @@ while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
     round=$((round + 1))
 done
 
-"$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" ${names:+--names "$names"} "$CLASS_FOLDER"
+attend "$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" ${names:+--names "$names"} "$CLASS_FOLDER"

@@ -2,6 +2,7 @@
 //
 //     gradebook unpack BUILD ARCHIVE FOLDER
 //     gradebook roster [--latest] [--commits] LAB-NUMBER SUBMISSIONS FOLDER
+//     gradebook contents FOLDER <names
 //     gradebook keys [--seed N] GRADER FOLDER <contents
 //     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
 //     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
@@ -13,13 +14,14 @@
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
 // FOLDER/submissions/SLUG to each entry, with `--commits` after it has asked Git for the times of
-// commits, and prints the slug, a tab and the name of each; `keys` gives each its seed
+// commits, and prints the slug, a tab and the name of each; `contents` prints the slug and a hash of
+// what is in each (entry_content.h); `keys` gives each its seed
 // (class_keys.h); `check` reads what `write` will need, before all gradings; `write` makes
 // gradebook.csv, gradebook.json, class.html and class-slides.html in FOLDER of it, with `--names
 // no` also class-no-names.html, and says how the class did; `feedback` packs the reports for those
 // whose they are (feedback.h). Exit status: 0; 1 when somebody's work could be lost, as the last
 // line says (tally.h); 2 after one message. Read next: export_archive.h, roster.h, class_keys.h,
-// gradebook.h; grade_class.sh, which calls the first five.
+// gradebook.h; grade_class.sh, which calls all but the last.
 #include "class_keys.h"
 #include "class_slides.h"
 #include "clean_text.h"
@@ -27,6 +29,7 @@
 #include "complain.h"
 #include "corrections.h"
 #include "decisions.h"
+#include "entry_content.h"
 #include "export_archive.h"
 #include "feedback.h"
 #include "gradebook.h"
@@ -53,6 +56,7 @@ static int usage(void)
 {
     fputs("usage: gradebook unpack BUILD ARCHIVE FOLDER\n"
           "       gradebook roster [--latest] [--commits] LAB-NUMBER SUBMISSIONS FOLDER\n"
+          "       gradebook contents FOLDER <names\n"
           "       gradebook keys [--seed N] GRADER FOLDER <contents\n"
           "       gradebook check [LIST]... [--against OLD.json] LAB FOLDER\n"
           "       gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] "
@@ -92,6 +96,33 @@ static int lab_find(int number, Manifest *manifest)
         closedir(labs);
     }
     return lab[0] != '\0' ? manifest_load_file(NULL, lab, manifest) : 0;
+}
+
+// Reads a line "SLUG<tab>NAME" for each entry, and prints "SLUG CONTENT" (class_keys.h).
+static int contents_print(const char *folder)
+{
+    char *line = NULL;
+    size_t n_bytes = 0;
+    int result = EXIT_ALL_GRADED;
+    while (result == EXIT_ALL_GRADED && getline(&line, &n_bytes, stdin) > 0) {
+        char path[PATH_MAX], hex[CONTENT_HEX];
+        line[strcspn(line, "\n")] = '\0';
+        char *name = line + strcspn(line, "\t");
+        name += *name != '\0';
+        path_make(path, "%s/submissions/%.*s", folder, (int)strcspn(line, "\t"), line);
+        const int outcome = entry_content(path, hex);
+        printf("%.*s %s\n", (int)strcspn(line, "\t"), line, hex);
+        if (outcome > 0) {
+            complain("gradebook: \"%s\": more than %d files or %d MB: what is beyond is told apart "
+                     "by its times only; AGAIN=1 grades in any case",
+                     name, CONTENT_MOST_FILES, CONTENT_MOST_MB);
+        } else if (outcome < 0) {
+            complain("gradebook: \"%s\": no memory to look into it", name);
+            result = EXIT_FAULT;
+        }
+    }
+    free(line);
+    return result;
 }
 
 static int roster_make(int lab_number, const char *submissions, const char *folder, int only_latest,
@@ -517,6 +548,9 @@ int main(int argc, char **argv)
     if (argc == 4 && strcmp(argv[0], "roster") == 0 &&
         number_read_unsigned(argv[1], 0, 99, &lab) == 0) {
         return roster_make((int)lab, argv[2], argv[3], options.only_latest, options.has_commits);
+    }
+    if (argc == 2 && strcmp(argv[0], "contents") == 0) {
+        return contents_print(argv[1]);
     }
     if (argc == 3 && strcmp(argv[0], "keys") == 0) {
         const uint64_t *seed = is_given[SEED] ? &options.seed : NULL;

@@ -107,19 +107,19 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
     }
     for (size_t i = 0; i < json_array_size(checks); i++) {
         GradedCheck *check = &graded->checks[graded->n_checks++];
-        const char *word, *hint;
+        const char *word, *hint, *found = NULL;
         int max_points, is_in_picture;
-        check->is_hidden = 0;
         json_error_t error;
         if (json_unpack_ex(json_array_get(checks, i), &error, JSON_STRICT,
-                           "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s, s?b, s?s, s?s, s?b}", "id",
+                           "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s, s?b, s?s, s?s, s?s}", "id",
                            &check->id, "title", &check->title, "task", &check->task, "points",
                            &check->points, "max_points", &max_points, "status", &word, "message",
                            &check->message, "silent", &check->silent, "in_picture", &is_in_picture,
-                           "cause", &check->cause, "hint", &hint, "hidden",
-                           &check->is_hidden) != 0) {
+                           "cause", &check->cause, "hint", &hint, "found", &found) != 0) {
             return fault(path, "checks[%zu]: %s", i, error.text);
         }
+        check->is_hidden = found != NULL;
+        check->message = found != NULL ? found : check->message;
         if (status_read(word, &check->status) != 0) {
             return fault(path, "checks[%zu]: found the status \"%s\"", i, word);
         }

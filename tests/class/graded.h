@@ -11,12 +11,13 @@ typedef struct GradedTask {
 } GradedTask;
 
 typedef struct GradedCheck {
-    const char *id, *title, *task, *message;
-    const char *silent;  // why nothing is said about the answer (silence_name()), or NULL
-    const char *cause;   // the known mistake, a fixed sentence; NULL: none is named
+    const char *id, *title, *task;
+    const char *message;  // what it found, also where students do not see it
+    const char *silent;   // why nothing is said about the answer (silence_name()), or NULL
+    const char *cause;    // the known mistake, a fixed sentence; NULL: none is named
     CheckStatus status;
     int points;
-    int is_hidden;  // what it finds is not for students
+    int is_hidden;  // what it found is not for students
 } GradedCheck;
 
 // One submission's results. The strings live as long as it does.

@@ -21,7 +21,6 @@ void alike_free(Alike *alike)
 
 int is_shared(const Alike *alike, const Pair *pair, int id)
 {
-    const HandedIn *class = &alike->class;
-    return alike->weights.all[id].nats > 0 && author_has(class, &class->authors[pair->first], id) &&
-           author_has(class, &class->authors[pair->second], id);
+    return alike->weights.all[id].nats > 0 && author_has(&alike->pairs, pair->first, id) &&
+           author_has(&alike->pairs, pair->second, id);
 }

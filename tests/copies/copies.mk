@@ -8,6 +8,6 @@ $(OUT)/tools/copies: $(call objects,tests/copies/copies_tool.c) $(OUT)/libcopies
 grader: $(OUT)/tools/copies
 .PHONY: copies
 copies: $(addprefix $(OUT)/tools/,copies gradebook unpack)  ## which answers of a class are alike: LAB=03 OUTPUT=folder of a graded class, or SUBMISSIONS=folder or archive [EXPORT=jplag|dolos|moss]; of several labs: CLASSES="folder folder ..." [OUTPUT=folder]
-	$(if $(CLASSES),@set -f; $(OUT)/tools/copies --build $(OUT) -- term "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES,@tests/copies/copies.sh --build $(OUT) $(if $(LAB),--lab "$$LAB") \
+	$(if $(CLASSES),@set -f; $(OUT)/tools/copies --build $(OUT) -- term "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES,@exec tests/copies/copies.sh --build $(OUT) $(if $(LAB),--lab "$$LAB") \
 	    $(if $(SUBMISSIONS),--submissions "$$SUBMISSIONS") $(if $(OUTPUT),--output "$$OUTPUT") \
 	    $(if $(EXPORT),--export "$$EXPORT"))

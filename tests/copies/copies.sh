@@ -13,6 +13,8 @@
 # copies_tool.c.
 set -u
 export LC_ALL=C
+# shellcheck source=tests/class/one_run.sh
+. tests/class/one_run.sh
 
 die() {
     printf 'copies: %s\n' "$*" >&2
@@ -74,9 +76,10 @@ fi
 output=$(cd "$output" && pwd -P)
 
 # Neither beside a grading nor beside another run.
-: >>"$output/lock" || die "$output: cannot be written"
-exec 9<"$output/lock"
-flock --wait 20 9 || die "$output: another run is at work there"
+folder_hold "$output" "make copies"
+work=
+trap '[ -z "$work" ] || rm -rf "$work"' EXIT
+trap 'stop' INT TERM HUP PIPE
 
 # A list of the class of its own, so that the one that was graded stays as it is.
 class=$output
@@ -86,14 +89,13 @@ if [ -n "$submissions" ]; then
     mkdir -m 700 "$class" || exit 2
     if [ -f "$submissions" ]; then
         work=$(mktemp -d "${TMPDIR:-/tmp}/copies-XXXXXX") || exit 2
-        trap 'rm -rf "$work"' EXIT
-        trap 'exit 2' INT TERM HUP PIPE
         # The sandbox's user passes through it.
         { chmod 711 "$work" && mkdir -m 711 "$work/export" &&
-            unpacked=$("$build/tools/gradebook" unpack "$build" "$submissions" "$work/export") &&
-            (umask 077 && cp -RPT --preserve=timestamps "$unpacked" "$class/export"); } || exit 2
+            attend "$build/tools/gradebook" unpack "$build" "$submissions" "$work/export" >"$work/unpacked" &&
+            (umask 077 && mkdir "$class/export") &&
+            attend cp -RPT --preserve=timestamps "$(cat "$work/unpacked")" "$class/export"; } || exit 2
         submissions=$class/export
     fi
-    "$build/tools/gradebook" roster "${number#0}" "$submissions" "$class" >/dev/null || exit 2
+    attend "$build/tools/gradebook" roster "${number#0}" "$submissions" "$class" >/dev/null || exit 2
 fi
-"$build/tools/copies" --build "$build" ${other:+--export "$other"} -- lab "$lab" "$class" "$output"
+attend "$build/tools/copies" --build "$build" ${other:+--export "$other"} -- lab "$lab" "$class" "$output"

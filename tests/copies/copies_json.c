@@ -31,10 +31,13 @@ static const char *kind_name(FormKind kind)
     return names[kind];
 }
 
+// So many forms of a pair are listed: what nobody reads must not fill the memory.
+enum { MOST_FORMS = 1000 };
+
 static json_t *forms_json(const Alike *alike, const Pair *pair)
 {
     json_t *list = json_array();
-    for (int id = 0; id < alike->weights.n; id++) {
+    for (int id = 0; id < alike->weights.n && json_array_size(list) < MOST_FORMS; id++) {
         const Weight *weight = &alike->weights.all[id];
         if (weight->nats > 0 && weight->n_authors > 1 && is_shared(alike, pair, id)) {
             json_array_append_new(

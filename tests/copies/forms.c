@@ -135,18 +135,20 @@ static int is_block(const Splitter *splitter, int from, int open)
 }
 
 // The end of a statement that begins at `from`: its ;, or the "{" of a block, or what cannot be in
-// it and follows a macro: a keyword, the end of a bracket around it.
+// it and follows a macro: a keyword, the end of a bracket around it. Only the first "{" that no
+// bracket holds can be a block's: what is_block() reads is before it.
 static int statement_end(const Splitter *splitter, int from)
 {
-    int depth = 0, has_value = 0;
+    int depth = 0, has_value = 0, n_opened = 0;
     for (int at = from; at < splitter->n; at++) {
         const SourceWord *word = &splitter->words[at];
         const int is_a_sign = word->kind == SOURCE_SIGN;
         const int closes = is_a_sign && source_is_one_of(word, ") ] }");
         const int opens = is_a_sign && source_is_one_of(word, "( [ {");
+        const int is_first =
+            is_a_sign && word->text[0] == '{' && depth == 0 && !has_value && n_opened++ == 0;
         const int ends =
-            is_a_sign ? closes || word->text[0] == ';' ||
-                            (word->text[0] == '{' && !has_value && is_block(splitter, from, at))
+            is_a_sign ? closes || word->text[0] == ';' || (is_first && is_block(splitter, from, at))
                       : word->kind == SOURCE_NAME &&
                             source_is_one_of(word, "if while for switch do return");
         if (depth == 0 && at > from && ends) {

@@ -12,6 +12,7 @@
 #include "skeleton.h"
 #include "submission.h"
 #include "text_file.h"
+#include "trial.h"
 #include "untouched.h"
 #include "workshop_files.h"
 
@@ -40,18 +41,47 @@ static char *hole_of(const Manifest *manifest, const Task *task, const char *sta
     return text;
 }
 
+// The page lists it, too (hard.h).
+static void given_up_tell(const Entrant *entrant)
+{
+    char *label = line_clean(entrant->label);
+    complain("copies: \"%s\" takes more than %d s of processor time or %d MB to read, and is not "
+             "compared",
+             label, TRIAL_SECONDS, TRIAL_MB);
+    free(label);
+}
+
+typedef struct Reading {
+    const HandedIn *class;
+    Author *author;
+} Reading;
+
+static void forms_of(void *context)
+{
+    const Reading *reading = context;
+    for (int i = 0; i < reading->class->manifest.n_tasks; i++) {
+        Answer *answer = &reading->author->answers[i];
+        if (answer->text != NULL) {
+            answer->forms = forms_read(answer->text, &reading->class->scopes[i]);
+        }
+    }
+}
+
 // Returns how many tasks have an answer.
 static int answers_read(const HandedIn *class, const char *staged, Author *author)
 {
     const Manifest *manifest = &class->manifest;
+    Reading reading = {class, author};
     int n = 0;
     for (int i = 0; i < manifest->n_tasks; i++) {
-        Answer *answer = &author->answers[i];
-        answer->text = hole_of(manifest, &manifest->tasks[i], staged);
-        if (answer->text != NULL) {
-            answer->forms = forms_read(answer->text, &class->scopes[i]);
-            n++;
-        }
+        author->answers[i].text = hole_of(manifest, &manifest->tasks[i], staged);
+        n += author->answers[i].text != NULL;
+    }
+    author->is_given_up = n > 0 && !trial_ends(forms_of, &reading);
+    if (author->is_given_up) {
+        given_up_tell(author->entrant);
+    } else {
+        forms_of(&reading);
     }
     return n;
 }

@@ -17,6 +17,7 @@ typedef struct Answer {
 typedef struct Author {
     const Entrant *entrant;
     Answer answers[MANIFEST_MAX_TASKS];  // by the manifest's tasks
+    int is_given_up;  // reading them takes too much (trial.h): they have no forms
 } Author;
 
 typedef struct HandedIn {
@@ -34,7 +35,8 @@ typedef struct HandedIn {
 //   build    "build": where tools/unpack is
 //   lab      "03-kdtree-2d-render"
 //   folder   has roster.json and submissions/SLUG (roster.h)
-// An entry that this machine cannot read, as a folder of mode 0, is named on stderr and passed by.
+// An entry that this machine cannot read, as a folder of mode 0, is named on stderr and passed by. So
+// is one that takes too much to read, which stays an author.
 // Returns 0, or -1 after one message on stderr, also where no entry can be read. Release with
 // handed_in_free() in either case.
 int handed_in_read(const char *build, const char *lab, const char *folder, HandedIn *class);

@@ -4,6 +4,7 @@
 #include "html.h"
 #include "message.h"
 #include "side_by_side.h"
+#include "trial.h"
 
 #include <stdlib.h>
 
@@ -40,6 +41,10 @@ char *hard_reason(const Alike *alike, const Author *author)
 {
     const Forms sum = answers_sum(alike, author);
     char *reasons = NULL;
+    if (author->is_given_up) {
+        return message_new("more than %d s of processor time or %d MB to read: nothing is compared",
+                           TRIAL_SECONDS, TRIAL_MB);
+    }
     if (sum.n_with_directive > 0) {
         reasons = reason_add(reasons,
                              message_new("%d #define or #include that can hide statements or names",

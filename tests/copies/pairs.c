@@ -13,13 +13,6 @@ enum { PAIRS_ROOM = 8 * PAIRS_KEPT };
 // chance would be 1 to e^CERTAINTY, for all pairs of the class together. They are not quite.
 static const double CERTAINTY = 3;
 
-// The ids of an author's forms, each once, ascending.
-typedef struct Ids {
-    int *all;
-    int n;
-    double nats;  // what all weigh
-} Ids;
-
 static int ids_compare(const void *left, const void *right)
 {
     const int *a = left, *b = right;
@@ -146,37 +139,35 @@ static void listed_choose(const HandedIn *class, Pairs *pairs)
 }
 
 // What is listed, and for whom the list would say something.
-static void level_set(const HandedIn *class, const Ids *ids, Pairs *pairs)
+static void level_set(const HandedIn *class, Pairs *pairs)
 {
     pairs->level = log(pairs->n_compared > 0 ? pairs->n_compared : 1) + CERTAINTY;
     listed_choose(class, pairs);
     for (int i = 0; i < class->n_authors; i++) {
-        pairs->own_nats[i] = ids[i].nats;
-        pairs->n_tellable += ids[i].nats >= pairs->level;
+        pairs->n_tellable += pairs->ids[i].nats >= pairs->level;
     }
 }
 
 void pairs_find(const HandedIn *class, const Weights *weights, Pairs *pairs)
 {
     const size_t n = (size_t)class->n_authors;
-    Ids *ids = memory_take((n + 1) * sizeof *ids);
     *pairs = (Pairs){.all = memory_take(PAIRS_ROOM * sizeof *pairs->all),
-                     .own_nats = memory_take((n + 1) * sizeof *pairs->own_nats)};
+                     .ids = memory_take((n + 1) * sizeof *pairs->ids),
+                     .n_authors = class->n_authors};
     for (size_t i = 0; i < n; i++) {
-        ids_collect(class, &class->authors[i], weights, &ids[i]);
+        ids_collect(class, &class->authors[i], weights, &pairs->ids[i]);
     }
-    all_compare(class, weights, ids, pairs);
-    level_set(class, ids, pairs);
-    for (size_t i = 0; i < n; i++) {
-        free(ids[i].all);
-    }
-    free(ids);
+    all_compare(class, weights, pairs->ids, pairs);
+    level_set(class, pairs);
 }
 
 void pairs_free(Pairs *pairs)
 {
+    for (int i = 0; i < pairs->n_authors; i++) {
+        free(pairs->ids[i].all);
+    }
     free(pairs->all);
-    free(pairs->own_nats);
+    free(pairs->ids);
     *pairs = (Pairs){0};
 }
 
@@ -185,15 +176,8 @@ int pairs_are_too_few(const HandedIn *class, const Pairs *pairs)
     return class->n_authors < PAIRS_MIN_AUTHORS || 4 * pairs->n_tellable < class->n_authors;
 }
 
-int author_has(const HandedIn *class, const Author *author, int id)
+int author_has(const Pairs *pairs, int author, int id)
 {
-    for (int t = 0; t < class->manifest.n_tasks; t++) {
-        const Forms *forms = &author->answers[t].forms;
-        for (int i = 0; i < forms->n; i++) {
-            if (forms->all[i].id == id) {
-                return 1;
-            }
-        }
-    }
-    return 0;
+    const Ids *ids = &pairs->ids[author];
+    return bsearch(&id, ids->all, (size_t)ids->n, sizeof *ids->all, ids_compare) != NULL;
 }

@@ -17,15 +17,23 @@ typedef struct Pair {
     int n_only_two;     // of these, how many nobody else has
 } Pair;
 
+// The ids of an author's forms, each once, ascending.
+typedef struct Ids {
+    int *all;
+    int n;
+    double nats;  // what all weigh
+} Ids;
+
 enum { PAIRS_KEPT = 1000, PAIRS_LISTED = 30, PAIRS_MIN_AUTHORS = 3 };
 
 typedef struct Pairs {
     Pair *all;  // the most alike first, PAIRS_KEPT at most
     int n;
     int n_compared;
-    double level;      // a pair is listed from this score on
-    int n_listed;      // those at the beginning, PAIRS_LISTED at most
-    double *own_nats;  // of each author: what all forms weigh
+    double level;  // a pair is listed from this score on
+    int n_listed;  // those at the beginning, PAIRS_LISTED at most
+    Ids *ids;      // of each author
+    int n_authors;
     int n_tellable;  // authors whose forms weigh as much as the level: a second text would be seen
 } Pairs;
 
@@ -42,7 +50,7 @@ int *groups_make(int n);
 // Connect two. Returns 1, or 0 where others connect them already.
 int groups_connect(int *groups, int n, int first, int second);
 
-// Does an author have the form with this id?
-int author_has(const HandedIn *class, const Author *author, int id);
+// Does an author have the form with this id? Quick, as it is asked for every form of every pair.
+int author_has(const Pairs *pairs, int author, int id);
 
 #endif

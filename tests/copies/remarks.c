@@ -62,8 +62,11 @@ static void gap_read(Forms *forms, const char *from, const char *to, int line)
             line += *from++ == '\n';
             continue;
         }
-        const char *end = is_line ? strchr(from, '\n') : strstr(from + 2, "*/");
-        end = end == NULL || end > to ? to : end;
+        const size_t n_left = (size_t)(to - from);
+        const char *end = is_line      ? memchr(from, '\n', n_left)
+                          : n_left > 2 ? memmem(from + 2, n_left - 2, "*/", 2)
+                                       : NULL;
+        end = end == NULL ? to : end;
         remark_add(forms, from, end, line);
         line += count_lines(from, end);
         from = end;

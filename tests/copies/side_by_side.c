@@ -63,8 +63,9 @@ static void answer_write(FILE *page, const Alike *alike, const Pair *pair, const
 // Comments and names have no lines of their own to look at.
 static void also_write(FILE *page, const Alike *alike, const Pair *pair)
 {
+    enum { MOST_NAMES = 100 };
     int n = 0;
-    for (int id = 0; id < alike->weights.n; id++) {
+    for (int id = 0; id < alike->weights.n && n < MOST_NAMES; id++) {
         const Weight *weight = &alike->weights.all[id];
         if (weight->form->kind == FORM_NAME && weight->n_authors > 1 &&
             4 * weight->n_authors <= alike->class.n_authors + 4 && is_shared(alike, pair, id)) {

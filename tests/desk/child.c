@@ -6,7 +6,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -104,22 +103,6 @@ int child_has_ended(Child *child, int *status)
     child->pid = 0;
     *status = WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
     return 1;
-}
-
-int child_wait(Child *child, int most_ms, int *status)
-{
-    enum { LOOK_MS = 20 };
-    while (!child_has_ended(child, status)) {
-        struct pollfd output = {.fd = child->output, .events = POLLIN};
-        if (poll(&output, 1, LOOK_MS) > 0) {
-            child_read(child);
-        }
-        if (stats_clock_ms() - child->start_ms > most_ms) {
-            child_stop(child);
-            return -1;
-        }
-    }
-    return 0;
 }
 
 void child_stop(Child *child)

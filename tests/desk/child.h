@@ -30,10 +30,6 @@ void child_read(Child *child);
 // to the end then.
 int child_has_ended(Child *child, int *status);
 
-// Wait until it has ended, and stop it after so many milliseconds. Returns 0, or -1 where it was
-// stopped.
-int child_wait(Child *child, int most_ms, int *status);
-
 // End it and all that it has started, and wait until it is gone. One that does not run is fine.
 void child_stop(Child *child);
 

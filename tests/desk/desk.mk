@@ -10,10 +10,10 @@ grader: $(DESK)
 # Under another name: make runs a line with its own name in it even in a dry run.
 make_program := $(MAKE)
 # What make grade does behind a verdict on one's own answers.
-note_own = @$(DESK) note --build $(OUT) --make "$(make_program)" --lab $(graded_lab) $(if $(DEVICE),--device "$$DEVICE") || true
+note_own = @$(DESK) note --build $(OUT) --lab $(graded_lab) || true
 needs_lab = test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
 .PHONY: watch hint progress
-watch: graded $(DESK)  ## after every save compile, draw and grade: LAB=03 [OPTIONS="--scene ..."] [DEVICE=d]
+watch: graded $(DESK)  ## after every save compile, draw (outside the sandbox: own code only) and grade: LAB=03 [OPTIONS="--scene ..."] [DEVICE=d]
 	@$(say_which_lab); $(needs_lab)
 	@$(DESK) watch --build $(OUT) --make "$(make_program)" --lab $(graded_lab) $(if $(OPTIONS),--options "$$OPTIONS") $(if $(DEVICE),--device "$$DEVICE")
 hint: $(DESK)  ## one more hint for the first fault of the last grading: LAB=03

@@ -1,4 +1,4 @@
-// Drawing the open scene (see look.h). Used by watch.c and tell.c.
+// Drawing the open scene (see look.h). Used by watch_round.c.
 #include "look.h"
 
 #include "message.h"
@@ -101,10 +101,10 @@ void look_compare(Look *look)
     image_free(&difference);
 }
 
-int look_can_be_followed(const Look *look)
+int look_can_be_followed(const Desk *desk)
 {
     char steps[PATH_MAX];
-    path_make(steps, "common/follow/steps/%s.cl", look->desk->lab->lab);
+    path_make(steps, "common/follow/steps/%s.cl", desk->lab->lab);
     return access(steps, R_OK) == 0;
 }
 
@@ -112,26 +112,9 @@ char *look_command(const Look *look)
 {
     const char *lab = look->desk->lab->lab;
     if (!look->has_picture || !look->has_figure || look->difference.n_different == 0 ||
-        !look_can_be_followed(look)) {
+        !look_can_be_followed(look->desk)) {
         return NULL;
     }
     return message_new("make pixel LAB=%.2s AT=%d,%d OPTIONS=\"%s\"", lab, look->difference.first_x,
                        look->difference.first_y, look_options(look));
-}
-
-char *look_for_command(Look *look)
-{
-    enum { MOST_BUILDING_MS = 60 * 1000 };
-    Child child = {.output = -1};
-    int status = 1;
-    char *command = NULL;
-    if (look_start_building(look, NULL, &child) == 0 &&
-        child_wait(&child, MOST_BUILDING_MS, &status) == 0 && status == 0 &&
-        look_start_drawing(look, &child) == 0 && child_wait(&child, LOOK_MOST_MS, &status) == 0 &&
-        status == 0) {
-        look_compare(look);
-        command = look_command(look);
-    }
-    free(child.said);
-    return command;
 }

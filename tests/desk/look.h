@@ -40,14 +40,10 @@ int look_start_drawing(const Look *look, Child *child);
 void look_compare(Look *look);
 
 // Can a pixel of this lab be followed, by make pixel?
-int look_can_be_followed(const Look *look);
+int look_can_be_followed(const Desk *desk);
 
 // The command that follows the first wrong pixel, to copy; NULL where there is none, or the lab has
 // nothing to follow. Owned by the caller.
 char *look_command(const Look *look);
-
-// Build, draw and compare, and wait for it. Returns that command, or NULL, also where the program
-// does not compile or end.
-char *look_for_command(Look *look);
 
 #endif

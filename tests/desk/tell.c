@@ -36,6 +36,12 @@ int tell_hint(const Manifest *lab)
         json_decref(record);
         return 1;
     }
+    const TaskCheck *own = manifest_check(lab, check);
+    if (own != NULL && own->is_hidden) {
+        printf("What check %s found is not shown, so there is no hint to give.\n", check);
+        json_decref(record);
+        return 1;
+    }
     int n_hints = 0;
     while (hint_at(task, check, n_hints) != NULL) {
         n_hints++;

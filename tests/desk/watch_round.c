@@ -16,7 +16,7 @@
 void keys_print(const Watch *watch)
 {
     printf("   h hint   g grade with new scenes   %sEnter again   q quit\n",
-           look_can_be_followed(&watch->look) ? "p first wrong pixel   " : "");
+           look_can_be_followed(watch->desk) ? "p first wrong pixel   " : "");
     fflush(stdout);
 }
 

@@ -12,9 +12,10 @@
 #include <string.h>
 #include <unistd.h>
 
+// Did it fail, and may students see how?
 static int is_failed(const CheckResult *check)
 {
-    return check->status == CHECK_FAILED;
+    return check->status == CHECK_FAILED && check_shows(check);
 }
 
 // Was it seen in a scene what is wrong with it?

@@ -29,8 +29,19 @@ heart_ends
 copy_lab solutions $lab
 echo '    fputs("LLVM ERROR: as a driver says it", stderr), abort();' | answer render.c set_arguments
 sed -i '1i #include <stdio.h>\n#include <stdlib.h>' "$scratch/submission/render.c"
-broken "an abort of the driver's compiler costs the task" 80
-check "and is called what it is" grep -q "the driver's compiler gave up on a kernel" "$reports/results.json"
+broken "an abort with a driver's words costs the task" 80
+check "and is the program's own crash" stage Running failed "it crashed: signal 6"
+check "and no driver is blamed" sh -c '! grep "\"message\"" "$1" | grep "compiler\|may be right\|second try"' - "$reports/results.json"
+
+copy_lab solutions $lab
+{
+    echo '    fputs("LLVM ERROR: as a driver says it", stderr);'
+    "$build/tools/holes" read solutions/$lab/render.c set_arguments
+} | answer render.c set_arguments
+sed -i '1i #include <stdio.h>' "$scratch/submission/render.c"
+# shellcheck disable=SC2046,SC2086
+check "a driver's words alone cost nothing" grades 0 100 $(kept $lab) $submission
+check "and no second try is made" sh -c '! grep -q "second try" "$1"' - "$reports/results.json"
 
 copy_lab solutions $lab
 {

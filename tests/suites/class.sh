@@ -65,6 +65,18 @@ check "the driver killed: all that it started ends" await none_left
 n_kept=$(n_results)
 check "there is no gradebook yet" test ! -e "$first/gradebook.csv"
 
+# A signal, as make passes it on.
+BUILD=$build make -s --old-file=grader grade-class LAB=0 SUBMISSIONS="$class" OUTPUT="$first" >"$scratch/said" 2>&1 </dev/null &
+driver=$!
+check "resumed: a grader is at work" await is_at_work tools/grade
+check "its folder says whose it is" grep -q '^make grade-class, process [0-9]* on ' "$first/lock"
+kill -TERM $driver
+wait $driver
+check "TERM to make: all that it started has ended" test -z "$(processes "$first")"
+check "and the message says what goes on" said 'grade-class: ended by a signal; the same command goes on'
+check "and nothing of it is left" test -z "$(ls -A "$TMPDIR")"
+check "nor the lock held" flock --nonblock "$first/lock" true
+
 run "$first" &
 driver=$!
 check "resumed: a grader is at work" await is_at_work tools/grade
@@ -117,6 +129,20 @@ check "the answers are counted as before" test "$(section "$scratch/words" tasks
 check "what was not answered is no fault" test "$(section "$scratch/words" failures | grep -o '<code class="soft">[^<]*')" = \
     "$(section "$first" failures | grep -o '<code class="soft">[^<]*')"
 check "nothing of the kill is left" test -z "$(ls -A "$TMPDIR")$(find "$first/students" -name '*.new')"
+
+# ---- An entry that is made to be looked into for long --------------------------------------------
+
+# Sparse files as large as an archive may be: of all of them together only so much is read, the smallest first.
+looked=$scratch/looked
+mkdir -p "$looked/submissions/ada"
+for i in 1 2 3; do truncate -s 64M "$looked/submissions/ada/$i.bin"; done
+cp solutions/$lab/render.c "$looked/submissions/ada/z.c"
+content() { printf 'ada\tAda L.\n' | "$build/tools/gradebook" contents "$looked" 2>"$scratch/said"; }
+content_before=$(content)
+check "large files: whose they are is said" said '"Ada L.": more than 100000 files or 128 MB'
+echo >>"$looked/submissions/ada/z.c"
+check "and a change of an answer is seen" test "$(content)" != "$content_before"
+rm -r "$looked"
 
 heart_ends
 

@@ -269,6 +269,7 @@ after_names() { lines 1001 "int junk@;"; sed 's/\bid\b/number/g; 1s/^/uint numbe
 diluted() { echo "#if 0"; lines 300 "junk_$1_@(@);"; echo "#endif"; cat "$scratch/plain"; }
 diluted_block() { echo "if (0) {"; lines 300 "junk_$1_@(@);"; echo "}"; cat "$scratch/plain"; }
 after_empty_lines() { lines 401 ""; cat "$scratch/plain"; }
+after_many_forms() { lines 3001 "z = @;"; cat "$scratch/plain"; }
 after_other_lines() { lines 401 "a_line(@);"; cat "$scratch/plain"; }
 hidden() { # HOW LAB FILE TASK
     own first 0 "$2" "$3" "$4" >"$scratch/plain"
@@ -302,7 +303,12 @@ EOF
     plain) check "$how: nobody is hard to compare" is "$(hard)" "" ;;
     esac
 done
-# The last one has its text behind 401 other lines.
+hand_in_pair after_many_forms after_many_forms
+check "a pair that shares many forms" look 0 --lab 03 --submissions "$class"
+check "has a thousand of them in copies.json" is "$(jq -c '[.pairs[] | .forms | length] | max' "$out/copies.json")" 1000
+check "and all are counted" test "$(jq '[.pairs[].shared] | max' "$out/copies.json")" -gt 3000
+hand_in_pair after_other_lines
+check "a text behind 401 other lines" look 0 --lab 03 --submissions "$class"
 check "of a long answer the page has the lines that count" grep -q '<span class="line soft">[0-9]* more lines</span>' "$out/copies.html"
 marked() { grep -o '<span class="line only"[^>]*>[^<]*' "$out/copies.html" | sed 's/.*>//' | sort | uniq -c | awk '$1 % 2' | grep .; }
 check "as often on the one side as on the other" is "$(marked)" ""

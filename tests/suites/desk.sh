@@ -155,10 +155,36 @@ mv "$scratch/gone" build/watch
 # ---- A wrong pixel ----------------------------------------------------------------------------------
 
 last_missing
-command=$(make -s grade LAB=03 2>/dev/null | sed -n 's/^See why: //p')
-check "make grade offers to follow a wrong pixel" says "640 x 480: pixel 0, 0" eval "$command"
+check "make grade says how a wrong pixel is followed" says "See why: make pixel LAB=03 AT=x,y" make -s grade LAB=03
 cp "$right" "$file"
 check "a right picture has none" sh -c "! make -s grade LAB=03 2>&1 | grep 'See why'"
+
+# ---- Somebody else's file in labs/ ------------------------------------------------------------------
+
+# What it does when a program starts that it is a part of, before main(). Nothing of the program is called.
+other=04-camera-rays
+for labs_file in camera_from_view.c primary_ray.cl draw_directions.cl; do
+    cp "solutions/$other/$labs_file" "labs/$other/"
+done
+build/tools/holes fill "solutions/$other/draw_directions.cl" direction_color "tests/mutants/$other/flipped-picture.cl" >"labs/$other/draw_directions.cl"
+cat >>"labs/$other/camera_from_view.c" <<END
+#include <fcntl.h>
+__attribute__((constructor)) static void begin(void) { creat("$scratch/ran-outside", 0600); }
+END
+stays_inside() { "$@" >"$scratch/said" 2>&1; [ ! -e "$scratch/ran-outside" ]; }
+check "make grade runs it in the sandbox only" stays_inside make -s grade LAB=04
+check "and it was about a pixel" grep -q ': pixel (' "$scratch/said"
+check "so does make hint" stays_inside make -s hint LAB=04
+check "so does make progress" stays_inside make -s progress
+mkdir -p "$scratch/class/Ada"
+cp "labs/$other"/*.c* "$scratch/class/Ada/"
+check "so does make grade-class" stays_inside tests/class/grade_class.sh --build build --lab 04 \
+    --submissions "$scratch/class" --output "$scratch/graded"
+check "which graded it" grep -q '^1 of 1 graded' "$scratch/said"
+check "so does make copies" stays_inside tests/copies/copies.sh --build build --lab 04 --output "$scratch/graded"
+check "which read it" grep -q '^1 authors' "$scratch/said"
+make -s build/labs/$other >/dev/null 2>&1
+check "and it would have been seen" sh -c "build/labs/$other --size 8x8 --output open.png >/dev/null 2>&1; test -e '$scratch/ran-outside'"
 
 # ---- A grading that is ended ------------------------------------------------------------------------
 

@@ -72,7 +72,6 @@ hides() { ! grep -qF -- "$1" "$2" || { cat "$2"; return 1; }; }
 
 check "a wrong answer, as the course has it" exits 1 grade "$wrong" --seed 7
 check "fails what is equally deep" test "$(value '.checks[] | select(.id == "leaf-order") | .status')" = failed
-finding=$(value '.checks[] | select(.id == "leaf-order") | .message')
 
 own child-inside,20,, descent-work,0,, 'leaf-order,5,"Say it, in one word.",' leaf-edges,10,, TOTAL,90,, SEED,7,, \
     TIME_LIMIT,30,,
@@ -93,22 +92,42 @@ check "which is the file's sum" said "Score 90/90"
 check "a seed of the command line counts before it" exits 0 grade solutions/$lab --manifest "$manifest" --seed 8
 check "and is told" test "$(value .seed)" = 8
 
-own leaf-order,,,no
-check "what a check finds is hidden" exits 0 made
-check "from a wrong answer" exits 1 grade "$wrong" --manifest "$manifest" --seed 7
-check "results.json has it for the instructor" test \
-    "$(value '.checks[] | select(.id == "leaf-order") | .message, .hidden')" = "$finding true"
-check "the terminal says only that" said "what it found is not shown"
-check "and nothing of it" hides "$(echo "$finding" | cut -c 1-40)" "$scratch/said"
+# ---- Hidden ---------------------------------------------------------------------------------------
+
+# An answer whose wrong colour the checks of leaf_loop name, as nothing else does.
+shown=0.7531
+loud=$scratch/loud
+mkdir "$loud"
+"$build/tools/holes" read solutions/$lab/implicit2DRenderer_KD.cl leaf_loop |
+    sed "s/(float4)(circle.r/(float4)(${shown}f/" >"$scratch/leaf_loop"
+"$build/tools/holes" fill solutions/$lab/implicit2DRenderer_KD.cl leaf_loop "$scratch/leaf_loop" >"$loud/implicit2DRenderer_KD.cl"
+# shellcheck disable=SC2317 # called by check
+hidden_in() { for one; do hides $shown "$one" || { echo "in $one"; return 1; }; done; }
+found_by() { value ".checks[] | select(.id == \"$1\") | .found" | grep -F $shown; }
+
+check "a wrong colour" exits 1 grade "$loud" --seed 7
+check "is named" said $shown
+own leaf-random,,,no leaf-order,,,no leaf-edges,,,no leaf-work,,,no
+check "what these checks find is hidden" exits 0 made
+check "from a wrong answer" exits 1 grade "$loud" --manifest "$manifest" --seed 7 --task leaf_loop
+check "the terminal says that" said "what it found is not shown"
+check "and nothing of it" hidden_in "$scratch/said"
 check "the page, too" grep -qF "what it found is not shown" "$scratch/graded/report.html"
-tests/systems/formats/write.sh junit,gradescope "$scratch/graded" $lab >/dev/null 2>&1
-for file in junit.xml gradescope.json; do
-    check "$file says only that" grep -q 'what it found is not shown' "$scratch/graded/$file"
-    check "and nothing of it" hides "$(echo "$finding" | cut -c 1-40)" "$scratch/graded/$file"
-done
+check "and nothing of it" hidden_in "$scratch/graded/report.html"
 check "no picture shows it" test ! -e "$scratch/graded/pictures.json"
 check "nor the page" hides '<img' "$scratch/graded/report.html"
-check "and nothing more" hides "$(echo "$finding" | cut -c 1-40)" "$scratch/graded/report.html"
+check "results.json has it for the instructor" found_by leaf-random
+check "and nowhere else" test "$(jq 'del(.checks[].found) | tostring | contains("'$shown'")' "$scratch/graded/results.json")" = false
+check "which its schema says" obeys ../results "$scratch/graded/results.json"
+(
+    cd tests/systems/formats || exit
+    for format in *.jq; do echo "${format%.jq}"; done | grep -v words | paste -s -d ,
+) >"$scratch/formats"
+tests/systems/formats/write.sh "$(cat "$scratch/formats")" "$scratch/graded" $lab >"$scratch/said" 2>&1
+mkdir "$scratch/others"
+find "$scratch/graded" -type f ! -name results.json -exec cp {} "$scratch/others" \;
+check "every other system's format says only that" grep -q 'what it found is not shown' "$scratch/others"/junit.xml "$scratch/others"/gradescope.json
+check "and nothing of it" hidden_in "$scratch/others"/* "$scratch/said"
 
 # ---- Carried on ----------------------------------------------------------------------------------
 
@@ -138,9 +157,51 @@ rm "$out/points.csv"
 check "without the file" exits 0 run "$out"
 check "the course's own count" test "$(score)" = "100 100"
 
-# ---- Packed with ---------------------------------------------------------------------------------
+sed "s/(float4)(red,/(float4)(${shown}f,/" solutions/$lab/gradient.cl >"$class/Ada Lovelace/gradient.cl"
+own gradient-picture,,,no gradient-padding,,,no
+check "a class in which findings are hidden" exits 0 run "$out" --points "$own"
+check "its page has them" grep -q $shown "$out/class.html"
+check "but not what goes back" exits 0 "$build/tools/gradebook" feedback folders "$out"
+check "to the student" hidden_in "$out"/feedback/*/* "$out/feedback.csv"
 
 heart_ends
+# ---- Hidden in a handout ----------------------------------------------------------------------------
+
+lab=03-kdtree-2d-render
+own leaf-random,,,no leaf-order,,,no leaf-edges,,,no leaf-work,,,no
+check "a manifest that hides" exits 0 made
+# A handout has the manifest, and no solution.
+course=$scratch/at-home
+mkdir -p "$course/solutions" "$course/tests/skeletons/$lab"
+for part in Makefile common kernels slides-notes tests/probes tests/stand_ins solutions/0[0-2]*; do ln -s "$PWD/$part" "$course/$part"; done
+cp -R labs "$course/labs"
+cp "labs/$lab/implicit2DRenderer_KD.cl" "$course/tests/skeletons/$lab/"
+cp "$manifest" "$course/labs/$lab/lab.json"
+cp "$loud/implicit2DRenderer_KD.cl" "$course/labs/$lab/"
+echo 8 >"$course/tests/solution-seconds"
+mkdir "$course/build"
+for part in tools probes earlier; do cp -R "$build/$part" "$course/build"; done
+mkdir "$course/build/labs"
+cp "$build/labs/$lab" "$course/build/labs"
+cp "$build"/*.so "$build"/libcommon.a "$build/no_macros.h" "$course/build"
+mkfifo "$scratch/keys"
+(cd "$course" && exec build/tools/desk watch --make true --lab $lab <"$scratch/keys" >"$scratch/watched" 2>&1) &
+watch=$!
+exec 3>"$scratch/keys"
+is_graded() { grep -q '^   h hint' "$scratch/watched"; }
+await is_graded
+printf h >&3
+has_answered() { grep -q 'there is no hint' "$scratch/watched"; }
+await has_answered
+printf q >&3
+wait $watch
+check "make watch says only that" grep -q 'what it found is not shown' "$scratch/watched"
+check "and its page" grep -q 'what it found is not shown' "$course/build/watch/index.html"
+check "and nothing of it, nor of a hint" hidden_in "$scratch/watched" "$course/build/watch/index.html" "$course"/build/grade/03/*.*
+check "nor has what make progress keeps" hidden_in "$course/progress.json"
+
+# ---- Packed with ---------------------------------------------------------------------------------
+
 own child-inside,20,, descent-work,0,, TOTAL,95,,
 make --no-print-directory gradescope POINTS="$own" LAB=03 >"$scratch/said" 2>&1
 check "a bundle carries them" test "$(unzip -p build/systems/gradescope-03.zip 'course/solutions/03-*/lab.json' |

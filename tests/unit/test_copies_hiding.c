@@ -2,12 +2,15 @@
 #include "expression.h"
 #include "form_list.h"
 #include "forms.h"
+#include "hard.h"
 #include "message.h"
 #include "scope.h"
 #include "surroundings.h"
+#include "trial.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 static const char text[] = "x = nodes[id].lChild; if (dot(x, y) < nodes[id].minX) { steps = x; }";
 
@@ -222,6 +225,75 @@ Test(copies_hiding, limits_are_told)
 }
 
 // No memory is left: the message names what was read, so that an instructor can do without it.
+static void read_and_forget(void *answer)
+{
+    Forms forms = forms_read(answer, NULL);
+    forms_free(&forms);
+}
+
+// As much as fits into a file that is handed in, of what has no end or no sense.
+Test(copies_hiding, no_text_takes_long)
+{
+    static const struct {
+        const char *first, *then;
+    } rows[] = {
+        {"auto ", "{"},   {"x (", "{"},           {"x ", "{}"},      {"f(a) ", "{} "},
+        {"", "if (0) {"}, {"", "case "},          {"f(", "int a, "}, {"", "(int "},
+        {"x", "(- "},     {"x ", "/*a*\\\n/ b "}, {"", "#if A\n"},   {"", "#define A(x) x;\n"},
+    };
+    enum { MOST_BYTES = 256 * 1024, FIRST_BYTES = 100000 };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const size_t n_first = rows[i].first[0] != '\0' ? strlen(rows[i].first) : 1;
+        const int n_times = i == 0 ? (int)(FIRST_BYTES / n_first) : 1;
+        char *first = repeated(rows[i].first, n_times);
+        char *then =
+            repeated(rows[i].then, (int)((MOST_BYTES - strlen(first)) / strlen(rows[i].then)));
+        char *answer = message_new("%s%s", first, then);
+        cr_expect(trial_ends(read_and_forget, answer), "\"%s\" and \"%s\"", rows[i].first,
+                  rows[i].then);
+        free(first), free(then), free(answer);
+    }
+}
+
+static void never_end(void *unused)
+{
+    volatile int is_done = 0;
+    (void)unused;
+    while (!is_done) {
+    }
+}
+
+static void take_all_memory(void *unused)
+{
+    (void)unused;
+    for (;;) {
+        memset(memory_take(1 << 20), 1, 1 << 20);
+    }
+}
+
+Test(copies_hiding, a_trial_that_takes_too_much_is_ended)
+{
+    const struct rlimit second = {1, 1};  // in place of ten
+    cr_assert_eq(setrlimit(RLIMIT_CPU, &second), 0);
+    cr_expect_not(trial_ends(never_end, NULL));
+#ifndef __SANITIZE_ADDRESS__  // it has no limit of memory then
+    cr_expect_not(trial_ends(take_all_memory, NULL));
+#else
+    (void)take_all_memory;
+#endif
+}
+
+Test(copies_hiding, whose_trial_was_ended_is_hard_to_compare)
+{
+    Author authors[2] = {{.is_given_up = 1}, {0}};
+    const Alike alike = {.class = {.authors = authors, .n_authors = 2}};
+    char *reason = hard_reason(&alike, &authors[0]);
+    cr_assert_not_null(reason);
+    cr_expect_not_null(strstr(reason, "nothing is compared"), "%s", reason);
+    cr_expect_eq(hard_count(&alike), 1);
+    free(reason);
+}
+
 Test(copies_hiding, short_memory_ends_the_program, .exit_code = 2)
 {
     memory_reading("ada-lovelace");

@@ -8,7 +8,7 @@
 const char *check_hint(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
     const Task *task = manifest_task(manifest, check->task);
-    if (check->status != CHECK_FAILED || check->is_hidden || task == NULL) {
+    if (check->status != CHECK_FAILED || !check_shows(check) || task == NULL) {
         return "";
     }
     for (int i = 0; i < result->n_checks; i++) {

@@ -47,18 +47,21 @@ static json_t *tasks_json(const Manifest *manifest, const Result *result)
     return tasks;
 }
 
+// What students must not see is told to the instructor alone: a handout's grader leaves it out.
 static json_t *check_json(const Manifest *manifest, const Result *result, const CheckResult *check)
 {
-    const char *cause = check->diagnosis.cause, *silence = silence_name(check->diagnosis.silence);
+    const int is_told = check_shows(check) || manifest_has_solution(manifest->lab);
+    const char *cause = is_told ? check->diagnosis.cause : NULL;
+    const char *silence = silence_name(check->diagnosis.silence);
     return json_pack("{s:o, s:o, s:o, s:i, s:i, s:s, s:o, s:s*, s:o*, s:o*, s:o, s:o*}", "id",
                      json_line(check->id), "title", json_line(check->title), "task",
                      json_line(check->task), "points", check->points, "max_points",
                      check->max_points, "status", check_status_name(check->status), "message",
-                     json_message(check->message), "silent", silence, "in_picture",
-                     check_is_of_pixels(check) ? json_true() : NULL, "cause",
+                     json_message(check_message_shown(check)), "silent", silence, "in_picture",
+                     check_shows(check) && check_is_of_pixels(check) ? json_true() : NULL, "cause",
                      cause != NULL ? json_line(cause) : NULL, "hint",
-                     json_line(check_hint(manifest, result, check)), "hidden",
-                     check->is_hidden ? json_true() : NULL);
+                     json_line(check_hint(manifest, result, check)), "found",
+                     is_told && !check_shows(check) ? json_message(check->message) : NULL);
 }
 
 static json_t *checks_json(const Manifest *manifest, const Result *result)

@@ -59,20 +59,15 @@ static char *describe_limit(SandboxLimit limit)
     return NULL;
 }
 
-int run_end_has_compiler_fault(const SandboxResult *result)
+int run_end_is_as_compilers(const SandboxResult *result)
 {
-    const int has_ended = result->outcome == SANDBOX_EXITED ||
-                          (result->outcome == SANDBOX_CRASHED && result->signal == SIGABRT);
-    return has_ended && strstr(result->output, "LLVM ERROR: ") != NULL;
+    return (result->outcome == SANDBOX_EXITED && result->exit_status == EXIT_FAILURE) ||
+           (result->outcome == SANDBOX_CRASHED && result->signal == SIGABRT);
 }
 
 // What may have led to a signal.
 static const char *suspect(const SandboxResult *result)
 {
-    if (run_end_has_compiler_fault(result)) {
-        return "; the driver's compiler gave up on a kernel (LLVM ERROR), which may be right: say "
-               "the same another way, or use another driver";
-    }
     return result->signal == SIGSEGV || result->signal == SIGABRT
                ? "; an index or a pointer out of range?"
                : "";
@@ -128,8 +123,8 @@ char *run_habits_describe(const SandboxResult *result, int is_second)
         return message_new("%s", "");
     }
     if (is_second) {
-        fprintf(text, "the driver's compiler gave up on a kernel (LLVM ERROR), a fault of its own; "
-                      "graded by a second try with " SECOND_COMPILER ": set it at home, too\n");
+        fprintf(text, "it ended early, and came to its end in a second try with " SECOND_COMPILER
+                      ", another way of PoCL's to compile kernels: try it at home, too\n");
     }
     if (result->n_printed > SANDBOX_MAX_OUTPUT) {
         const double megabytes = (double)result->n_printed / 1e6;

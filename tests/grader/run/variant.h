@@ -36,7 +36,7 @@ typedef struct Variant {
     int was_starved;                     // in this step the machine had no time for it once
     int is_left_out;                     // no time was left to begin with it
     int is_compiled;                     // as far as that goes: build_log is set, or it can run
-    int is_second;     // its kernels are compiled by SECOND_COMPILER, after the first gave up
+    int is_second;     // its kernels are compiled by SECOND_COMPILER, after a run that ended early
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
     const char *alone;     // whose answer is tried alone, with a job of its own; NULL: all of them

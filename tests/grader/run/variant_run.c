@@ -99,10 +99,12 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
     path_make(path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
     sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
     take_further_answers(workshop, variant);
+    char *first_output = variant->run_output;  // NULL where there was no other try
     variant->run_output = strdup(result->output);
     if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD &&
         has_only_built(workshop, variant)) {
         variant->build_log = strdup(variant->run_output);
+        free(first_output);
         return;
     }
     variant->trouble = run_end_describe(result, allowed);
@@ -111,6 +113,13 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
         sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
         variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
                                        "answered everything: a call of exit()?");
+    }
+    if (variant->trouble != NULL && first_output != NULL) {
+        // A driver that knows no second way says so, which is no news.
+        free(variant->run_output);
+        variant->run_output = first_output;
+    } else {
+        free(first_output);
     }
     variant->habits = run_habits_describe(result, variant->is_second && variant->trouble == NULL);
     variant->has_crashed = has_crashed(result);
@@ -166,22 +175,24 @@ static void step_files_remove(const Workshop *workshop, const Variant *variant)
 }
 
 // Must a run that has ended be tried again, because the machine had no time for it, or because the
-// driver's compiler gave up on a kernel? Each of these counts once, and as long as time is left.
-static int step_is_repeated(Variant *variant, Step step, const SandboxResult *result,
-                            Allowance *allowance)
+// driver's compiler may have given up on a kernel? Each of these counts once, and as long as time
+// is left.
+static int step_is_repeated(const Workshop *workshop, Variant *variant, Step step,
+                            const SandboxResult *result, Allowance *allowance)
 {
     const int is_starved = result->outcome == SANDBOX_STARVED && !variant->was_starved &&
                            variant->purpose < VARIANT_CRASH;
-    const int has_fault =
-        step == STEP_RUNNING && !variant->is_second && run_end_has_compiler_fault(result);
-    if ((!is_starved && !has_fault) || allowance_left(allowance) <= 0) {
+    const int may_be_compilers =
+        step == STEP_RUNNING && !variant->is_second && manifest_has_kernels(workshop->manifest) &&
+        variant->purpose != VARIANT_CRASH && run_end_is_as_compilers(result);
+    if ((!is_starved && !may_be_compilers) || allowance_left(allowance) <= 0) {
         return 0;
     }
-    if (has_fault && variant->purpose != VARIANT_SOLUTION) {
+    if (may_be_compilers && variant->purpose != VARIANT_SOLUTION) {
         allowance_charge(allowance, result);
     }
     variant->was_starved |= is_starved;
-    variant->is_second |= has_fault;
+    variant->is_second |= may_be_compilers;
     return 1;
 }
 
@@ -205,8 +216,12 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Allo
 {
     SandboxResult result = sandbox_wait(variant->run);
     variant->run = NULL;
-    if (step_is_repeated(variant, step, &result, allowance)) {
-        free(result.output);
+    if (step_is_repeated(workshop, variant, step, &result, allowance)) {
+        if (variant->is_second && variant->run_output == NULL) {
+            variant->run_output = result.output;  // of the first try
+        } else {
+            free(result.output);
+        }
         return step_restart(workshop, variant, step, allowance);
     }
     const int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;

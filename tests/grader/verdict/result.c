@@ -91,17 +91,21 @@ CheckStatus check_status_shown(const CheckResult *check)
     return check_is_unanswered(check) ? CHECK_NOT_RUN : check->status;
 }
 
+int check_shows(const CheckResult *check)
+{
+    return !check->is_hidden || check->status == CHECK_PASSED || check_is_unanswered(check);
+}
+
 const char *check_message_shown(const CheckResult *check)
 {
-    return check->is_hidden && check->status != CHECK_PASSED ? "what it found is not shown"
-                                                             : check->message;
+    return check_shows(check) ? check->message : "what it found is not shown";
 }
 
 void result_hide_pictures(Result *result)
 {
     int n_hidden = 0;
     for (int i = 0; i < result->n_checks; i++) {
-        n_hidden += result->checks[i].is_hidden && result->checks[i].status != CHECK_PASSED;
+        n_hidden += !check_shows(&result->checks[i]);
     }
     if (n_hidden > 0) {
         pictures_free(result);

@@ -101,10 +101,14 @@ const char *check_status_name(CheckStatus status);
 // though to other systems its checks have failed.
 CheckStatus check_status_shown(const CheckResult *check);
 
-// What reports for people say of it: its message, or of a hidden one that failed that this is so.
+// May students see what it found? All that is written for them asks this: a hidden check shows only
+// whether it passed, or that its task is not answered yet.
+int check_shows(const CheckResult *check);
+
+// Its message, or that what it found is not shown.
 const char *check_message_shown(const CheckResult *check);
 
-// Leave out the pictures where a hidden check failed: they may show what it found.
+// Leave out the pictures where a check does not show what it found: they may.
 void result_hide_pictures(Result *result);
 
 // Leave out the checks that an instructor has turned off: those that can earn no points.
