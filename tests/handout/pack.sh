@@ -51,7 +51,7 @@ copy() {
 git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .devcontainer .editorconfig \
     .gitattributes .gitignore Containerfile | copy
 # The course's container can grade classes, too.
-sed -i 's/install\.sh demo$/install.sh grade/' "$root/Containerfile"
+sed -i 's/install\.sh demo /install.sh grade /' "$root/Containerfile"
 
 # The skeleton is cut anew: in labs/ somebody may have tried the tasks.
 tests/tools/cut_labs.sh "$holes" "$stage/cut/labs"
