@@ -16,7 +16,8 @@ done
 headers="stdio.h CL/cl.h jansson.h csv.h archive.h seccomp.h OpenImageIO/imageio.h"
 [ ! -d tests/class ] || headers="$headers nettle/sha2.h unicode/uspoof.h"
 # shellcheck disable=SC2046,SC2086 # lists of words
-[ -n "$missing" ] || missing=$(printf '#if !__has_include(<%s>)\n, %s\n#endif\n' $(printf '%s\n' $headers | sed 's/.*/& &/') |
+[ -n "$missing" ] || missing=$(printf '%s\n' $headers |
+    sed 's/.*/#if !__has_include(<&>)\n, &\n#endif/' |
     $3 -E -P -x c++ $(pkg-config --cflags OpenImageIO 2>/dev/null) - | tr -d '\n')
 if [ -n "$missing" ]; then
     echo "make: not on this machine yet:${missing#,}. Run make setup first, which installs what is missing." >&2

@@ -32,7 +32,7 @@ for path in labs/*/; do
 done
 [ -n "$lab" ] || fail "LAB: found \"$2\", expected the number or name of a lab"
 number=${lab%%-*}
-git log -1 >/dev/null 2>&1 || fail "here is no git checkout: only tracked files go into a handout"
+why=$(sh common/setup/checkout.sh) || fail "only files that git tracks go into it, but $why"
 
 stage=$(mktemp -d "${TMPDIR:-/tmp}/handout-XXXXXX")
 trap 'rm -rf "$stage"' EXIT

@@ -7,8 +7,8 @@ build=${BUILD:-build}
 course=$PWD
 labs=$(cd solutions && printf '%s\n' */ | tr -d /)
 
-if ! git ls-files >/dev/null 2>&1; then
-    skip "handouts" "here is no git checkout to pack from"
+if ! why=$(sh common/setup/checkout.sh); then
+    skip "handouts" "$why"
     finish
     exit
 fi
