@@ -28,7 +28,7 @@ incomplete() {
             package=${list##*/}
             package=${package%.list}
             # A container may leave out documents on purpose.
-            ! is_installed "$package" || grep -v -e '^/usr/share/doc' -e '^/usr/share/man' -e '^/usr/share/li' "$list" |
+            { ! is_installed "$package" || [ ! -e "$list" ]; } || grep -v -e '^/usr/share/doc' -e '^/usr/share/man' -e '^/usr/share/li' "$list" |
                 while IFS= read -r file; do [ -e "$file" ] || { echo "$package" && break; }; done
         done
     done | sort -u | paste -s -d ' ' -

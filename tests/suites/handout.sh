@@ -184,7 +184,7 @@ finished() {
 # contained FOLDER: are the files of its container there, and does it get what a handout needs?
 contained() {
     [ -f "$1/.devcontainer/$(jq -r .build.dockerfile "$1/.devcontainer/devcontainer.json")" ] || return 1
-    ! grep demo "$1/Containerfile" && grep -qx 'RUN common/setup/install.sh grade' "$1/Containerfile"
+    ! grep demo "$1/Containerfile" && grep -qx 'RUN common/setup/install.sh grade view editor' "$1/Containerfile"
 }
 
 # edited FOLDER: does clangd, by what the handout tells it, find no fault in the lab's files?
