@@ -8,7 +8,7 @@ needed=$(awk '!/^#/ && index("," $2 ",", ",demo,") { print $1 }' common/setup/pa
 # A folder that is the whole PATH: the usual tools, without apt, dpkg or compilers.
 bare=$scratch/bare
 mkdir "$bare"
-for tool in sh awk grep sed dirname id cat env true; do
+for tool in sh awk grep sed dirname id cat env; do
     ln -s "$(command -v $tool)" "$bare/$tool"
 done
 
@@ -68,6 +68,8 @@ chmod +x "$bare/dpkg-query" "$bare/apt-get"
 rm "$bare/id"
 printf '#!/bin/sh\necho 1000\n' >"$bare/id"
 chmod +x "$bare/id"
+printf '#!/bin/sh\n' >"$bare/true"
+chmod +x "$bare/true"
 APT_LOG=$scratch/apt.log
 export APT_LOG
 check "without root and sudo it stops" runs 1 "$bare" demo
