@@ -17,20 +17,21 @@ list=$(dirname "$0")/packages.txt
 ubuntu=$(grep -c '^ID=ubuntu' /etc/os-release 2>/dev/null || true)
 machine=$(dpkg --print-architecture 2>/dev/null || true)
 packages_of() {
-    awk -v targets="$*" -v ubuntu="$ubuntu" -v machine="$machine" '
+    mark=$1
+    shift
+    awk -v targets="$*" -v mark="$mark" -v ubuntu="$ubuntu" -v machine="$machine" '
     BEGIN { n_targets = split(targets, wanted, " ") }
     /^#/ || NF < 2 { next }
     {
         is_needed = 0
-        for (i = 1; i <= n_targets; i++) { if (index("," $2 ",", "," wanted[i] ",")) { is_needed = 1 } }
+        for (i = 1; i <= n_targets; i++) { if (index("," $2 ",", "," wanted[i] mark ",")) { is_needed = 1 } }
         if (!is_needed || (split($1, kinds, "@") == 2 && kinds[2] != machine)) { next }
         n = split(kinds[1], names, "/")
         print (ubuntu && n == 2 ? names[2] : names[1])
     }' "$list"
 }
-needed=$(packages_of "$@")
-# shellcheck disable=SC2046 # a list of words
-optional=$(packages_of $(printf '%s? ' "$@"))
+needed=$(packages_of "" "$@")
+optional=$(packages_of "?" "$@")
 
 # elsewhere COLUMN COMMAND...: what packages-elsewhere.txt calls them there, those for which the command fails, a line.
 elsewhere() {

@@ -91,7 +91,7 @@ printf '#!/bin/sh\nexec "$@"\n' >"$bare/sudo"
 chmod +x "$bare/sudo"
 check "with sudo it installs" runs 0 "$bare" demo
 check "it says what" grep -q "^Installing: make gcc " "$scratch/said"
-asked=$(sed -n 's/^apt-get install.* --no-install-recommends //p' "$APT_LOG")
+asked=$(sed -n 's/^apt-get install.* --no-install-recommends -q -y //p' "$APT_LOG")
 # shellcheck disable=SC2086,SC2116 # the list on one line
 [ "$asked" = "$(echo $needed)" ]
 ok $? "it asks apt for the list, without recommended packages" "asked for: $asked"
@@ -105,7 +105,7 @@ optional=$(awk '!/^#/ && index("," $2 ",", ",test?,") { sub("/.*", "", $1); prin
 for APT_KNOWS in $optional nothing; do
     rm -f "$APT_LOG"
     check "with an apt that knows $APT_KNOWS it installs" runs 0 "$bare" test
-    asked=$(sed -n 's/^apt-get install.* --no-install-recommends //p' "$APT_LOG" | tr ' ' '\n' | grep -x -F "$optional" || true)
+    asked=$(sed -n 's/^apt-get install.* --no-install-recommends -q -y //p' "$APT_LOG" | tr ' ' '\n' | grep -x -F "$optional" || true)
     case $APT_KNOWS in
     nothing) [ -z "$asked" ] ;;
     *) [ "$asked" = "$APT_KNOWS" ] ;;
