@@ -44,7 +44,10 @@ CXXFLAGS = -std=c++17 $(OPTIMISATION) $(WARNINGS) $(SANITIZERS)
 # address sanitizer's dlopen() does not look.
 LIBRARIES = -Wl,--as-needed,--disable-new-dtags,-rpath,'$$ORIGIN/..' $(shell pkg-config --libs jansson) -lcsv -lseccomp -lOpenCL -lm
 
-FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk tests/judge/judge.mk)
+# What every compilation waits for: files with flags, and a machine that can compile.
+FLAG_FILES := Makefile $(wildcard tests/grader/grader.mk tests/judge/judge.mk) | $(BUILD)/ready
+$(BUILD)/ready:
+	@common/setup/ready.sh "$@" "$(CC)" "$(CXX)"
 
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -97,7 +100,7 @@ $(OUT)/obj/labs/%.o $(OUT)/obj/solutions/%.o: OPTIMISATION = -O3 -g
 # A program is made of its lab's files and of what the linker takes from the labs before and from common/.
 $(PROGRAMS): $(OUT)/%: $$(call objects,$$(wildcard $$*/*.c)) $(OUT)/earlier/$$(notdir $$*).a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
-$(OUT)/earlier/%.a: $$(call objects,$$(call earlier_sources,$$*))
+$(OUT)/earlier/%.a: $$(call objects,$$(call earlier_sources,$$*)) | $(BUILD)/ready
 	$(archive)
 $(OUT)/labs/% $(OUT)/solutions/%:
 	@printf 'make: found no lab for %s, expected %s\n' '$(subst ','\'',$@)' '$(filter $(@D)/%,$(PROGRAMS))' >&2; exit 2
@@ -119,7 +122,7 @@ $(OUT)/libimage_codec.so: $(call objects,common/image.cpp)
 
 .PHONY: setup doctor help clean
 setup:  ## install what building, grading and make view need, as root or through sudo
-	@for what in $(setup_for) view; do common/setup/install.sh $$what || exit 1; done
+	@common/setup/install.sh $(setup_for) view
 
 doctor:  ## look at this machine, and name one command for each thing that is wrong [JSON=1]
 	@common/setup/doctor.sh --for $(setup_for) $(if $(JSON),--json)

@@ -77,19 +77,18 @@ static int devices_find(DeviceList *list)
     const char *vendors = getenv("OCL_ICD_VENDORS"), *pocl_devices = getenv("POCL_DEVICES");
     if (n_platforms == 0 && vendors != NULL) {
         complain("OpenCL: found no platform in OCL_ICD_VENDORS=%s; unset it to take the system's "
-                 "drivers (apt install pocl-opencl-icd for one that runs on every CPU), and check "
-                 "with clinfo",
+                 "drivers; make doctor says more",
                  vendors);
     } else if (n_platforms == 0) {
-        complain("OpenCL: found no platform; install a driver (apt install pocl-opencl-icd "
-                 "runs on every CPU) and check with clinfo");
+        complain("OpenCL: found no platform; PoCL runs on every CPU: make doctor names the command "
+                 "that brings it");
     } else if (pocl_devices != NULL) {
         complain("OpenCL: found a platform but no device; does POCL_DEVICES=%s name one that PoCL "
-                 "does not have here? Unset it, and check with clinfo",
+                 "does not have here? Unset it; make doctor says more",
                  pocl_devices);
     } else {
         complain("OpenCL: found a platform but no device; PoCL needs a cache folder that it "
-                 "can write (POCL_CACHE_DIR, or ~/.cache/pocl); check with clinfo");
+                 "can write (POCL_CACHE_DIR, or ~/.cache/pocl); make doctor says more");
     }
     return -1;
 }

@@ -94,7 +94,7 @@ pack: $(OUT)/tools/holes grader $(JUDGES)
 	@$(own_points) tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout $(if $(own_points),$(OUT)/own-points.json)
 
 release:  ## install what is missing, make slides, notes and all handouts for lecturers, in build/release
-	@for what in demo notes handout; do common/setup/install.sh $$what || exit 1; done
+	@common/setup/install.sh demo notes handout
 	@$(MAKE) --no-print-directory release-pack
 release-pack: notes-html notes-pdf $(OUT)/tools/holes grader $(JUDGES)
 	@rm -rf $(OUT)/release-handouts
@@ -208,8 +208,7 @@ test-all:  ## install what is missing and run every test, end to end
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory check
 test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
-	@common/setup/install.sh test
-	@common/setup/install.sh scale
+	@common/setup/install.sh test scale
 	@$(MAKE) --no-print-directory grader
 	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh "$${N:-1000}" $(OUT)

@@ -23,10 +23,23 @@ while [ $# -gt 0 ]; do
     shift
 done
 [ -f common/setup/doctor_device.c ] || { echo "doctor: run it in the top folder of the course" >&2 && exit 2; }
-work=$(mktemp -d "${TMPDIR:-/tmp}/doctor-XXXXXX") ||
-    { echo "doctor: cannot write to ${TMPDIR:-/tmp}: export TMPDIR=FOLDER, a folder that you may write to" >&2 && exit 2; }
+. common/setup/advice.sh
+
+# What it compiles goes here, and what it has to say. Where that fails, nothing may seem to be well.
+tmp=${TMPDIR:-/tmp}
+cannot_write() {
+    free=$(room "$tmp")
+    mend=$(other_tmp 500)
+    echo "doctor: cannot write to $tmp, the folder for what is temporary, where ${free:-an unknown number of} MB are free" >&2
+    echo "    run: ${mend:-$(makes_room "$tmp")}" >&2
+    exit 2
+}
+{ work=$(mktemp -d "$tmp/doctor-XXXXXX"); } 2>/dev/null || cannot_write
 trap 'rm -rf "$work"' EXIT
 trap 'exit 2' HUP INT TERM
+# As much as its programs need.
+{ head -c 16000000 /dev/zero >"$work/room"; } 2>/dev/null || cannot_write
+rm "$work/room"
 
 # ---- What is said -------------------------------------------------------------------------------
 
@@ -34,10 +47,10 @@ trap 'exit 2' HUP INT TERM
 : >"$work/lines"
 # said TEXT: on one line, without signs that a terminal obeys.
 said() {
-    printf '%s' "$1" | tr '\n\t' '  ' | tr -d '\000-\037\177' | cut -c 1-300
+    printf '%s' "$1" | tr '\n\t' '  ' | tr -d '\000-\037\177' | cut -c 1-700
 }
 line() {
-    printf '%s\t%s\t%s\t%s\n' "$1" "$2" "$(said "$3")" "$(said "${4-}")" >>"$work/lines"
+    { printf '%s\t%s\t%s\t%s\n' "$1" "$2" "$(said "$3")" "$(said "${4-}")" >>"$work/lines"; } 2>/dev/null || cannot_write
 }
 # fine NAME FOUND; wrong NAME FOUND COMMAND; note NAME FOUND [COMMAND]: works, but; skipped NAME WHY
 fine() { line ok "$@"; }
@@ -45,31 +58,7 @@ wrong() { line wrong "$@"; }
 note() { line note "$@"; }
 skipped() { line skipped "$@"; }
 
-has() { command -v "$1" >/dev/null 2>&1; }
-# Where a command needs root.
-if [ "$(id -u)" -eq 0 ] || ! has sudo; then sudo=; else sudo='sudo '; fi
-
-# installs PACKAGE TOOL: the command that brings a tool, which may be installed where the shell does not look.
-installs() {
-    for folder in /usr/bin /bin /usr/local/bin; do
-        # shellcheck disable=SC2016 # for the user's shell
-        if [ -x "$folder/$2" ]; then echo 'export PATH="$PATH:'"$folder\"" && return; fi
-    done
-    if has apt-get; then
-        echo "${sudo}apt-get install $1"
-    elif has dnf; then
-        echo "${sudo}dnf install $(name_elsewhere "$1" 2)"
-    elif has pacman; then
-        echo "${sudo}pacman -S $(name_elsewhere "$1" 3)"
-    else
-        echo "install what Debian's package $1 holds"
-    fi
-}
-name_elsewhere() {
-    awk -v package="$1" -v column="$2" '$1 == package { gsub(",", " ", $column); print $column }' common/setup/packages-elsewhere.txt
-}
-
-# ---- System, packages, tools --------------------------------------------------------------------
+# ---- System -------------------------------------------------------------------------------------
 
 kernel=$(uname -s 2>/dev/null)
 name=$(sed -n 's/^PRETTY_NAME="*\([^"]*\)"*$/\1/p' /etc/os-release 2>/dev/null)
@@ -93,8 +82,46 @@ Darwin)
     ;;
 esac
 case $words:$PWD in
-*WSL:/mnt/[a-z]/*) note folder "$PWD is on Windows' disk, which is slow and has no rights: copy the course to your home in WSL" "cp -r . ~/course" ;;
+*WSL:/mnt/[a-z]/*) note folder "$PWD is on Windows' disk, which is slow and has no rights: copy the course to your home in WSL" "$(own_copy)" ;;
 esac
+
+# ---- Folders, and room in them ------------------------------------------------------------------
+
+build=${BUILD:-build}
+if ! can_write . && ! can_write "$build"; then
+    wrong folder "$PWD cannot be written to: copy the course into a folder of your own" "$(own_copy)"
+elif [ -d "$build" ] && no_rights=$(find "$build" -type d ! -writable 2>/dev/null | head -n 1) && [ -n "$no_rights" ]; then
+    wrong folder "$no_rights cannot be written to: another user made it, as with sudo" "mv \"$build\" \"$build-of-another-user-$$\""
+else
+    fine folder "$PWD can be written to"
+fi
+
+# The build folder of a handout takes 60 MB, of the course 250 MB; the grader some MB for each run.
+needed=500
+for folder in . "$tmp"; do
+    free=$(room "$folder")
+    if [ -z "$free" ]; then
+        skipped disk "df does not say how much room is in $folder"
+    elif [ "$free" -ge $needed ]; then
+        fine disk "$free MB are free in $folder"
+    else
+        mend=
+        [ "$folder" = . ] || mend=$(other_tmp $needed)
+        wrong disk "$free MB are free in $folder, expected $needed${mend:-: this lists what is large there, for you to choose from}" \
+            "${mend:-$(makes_room "$folder")}"
+    fi
+done
+
+# In a handout nothing asks git.
+if [ ! -e .git ]; then
+    :
+elif checkout=$(sh common/setup/checkout.sh); then
+    fine git "$(git --version)"
+else
+    note git "$(echo "$checkout" | sed -n 1p): make handout and make release need it" "$(echo "$checkout" | sed -n 's/^ *run: //p')"
+fi
+
+# ---- Packages, tools ----------------------------------------------------------------------------
 
 list=$(sh common/setup/install.sh --print "$target" 2>&1)
 if [ -z "$list" ]; then
@@ -102,21 +129,24 @@ if [ -z "$list" ]; then
 else
     mend=$(echo "$list" | sed -n 2p)
     if has apt-get; then
-        ! has make || mend="make setup"
+        ! has make || mend=$(echo "$mend" | sed 's/^sh .*/make setup/')
     elif [ -x /usr/bin/apt-get ]; then
-        mend=$(installs none apt-get)
+        mend=$(brings_tool apt-get apt)
     fi
     # Elsewhere install.sh says what these packages are.
-    wrong packages "missing: $(echo "$list" | sed -n 1p)" "${mend:-sh common/setup/install.sh $target}"
+    wrong packages "missing: $(echo "$list" | sed -n 1p)" "${mend:-Install what these Debian packages hold}"
+    free=$(room /usr)
+    [ "${free:-2000}" -ge 2000 ] ||
+        wrong disk "$free MB are free in /usr, expected 2000 for the packages: this lists what is large there" "$(makes_room /usr)"
 fi
 
 if has make; then
     case $(make --version 2>/dev/null | head -n 1) in
     "GNU Make "*) fine make "$(make --version | head -n 1)" ;;
-    *) wrong make "this make is not GNU Make" "$(installs make gmake)" ;;
+    *) wrong make "this make is not GNU Make" "$(brings_tool make make)" ;;
     esac
 else
-    wrong make "there is no make" "$(installs make make)"
+    wrong make "there is no make" "$(brings_tool make make)"
 fi
 
 compiler=
@@ -124,11 +154,13 @@ printf '#include <stdio.h>\nint main(void)\n{\n    return puts("") == EOF;\n}\n'
 # compiles COMPILER PACKAGE SOURCE LANGUAGE: a program for one that prints
 compiles() {
     if ! has "$1"; then
-        wrong "$1" "there is no $1" "$(installs "$2" "$1")"
+        wrong "$1" "there is no $1" "$(brings_tool "$1" "$2")"
     elif ! "$1" "$work/hello.c" -x "$3" -o "$work/hello" >"$work/log" 2>&1; then
-        wrong "$1" "$1 makes no program: $(grep -m 1 -i -e error -e 'cannot find' "$work/log")" "$(installs libc6-dev none)"
+        wrong "$1" "$1 makes no program: $(grep -m 1 -i -e error -e 'cannot find' "$work/log")" \
+            "$(brings_tool "$1" libc6-dev 'linux-libc-dev*' 'gcc*' 'g++*' 'cpp*' 'libgcc-*' 'libstdc++-*' 'binutils*')"
     elif ! "$work/hello" >/dev/null 2>"$work/log"; then
-        wrong "$1" "what $1 makes does not start in ${TMPDIR:-/tmp}: $(head -n 1 "$work/log")" "export TMPDIR=\"\$HOME\""
+        mend=$(other_tmp $needed)
+        wrong "$1" "what $1 makes does not start in $tmp: $(head -n 1 "$work/log")" "${mend:-$(brings_tool "$1" "$2")}"
     else
         fine "$1" "$("$1" --version | head -n 1)"
         return 0
@@ -144,14 +176,15 @@ fine python "none is needed"
 
 # sources NAME...: files of the library.
 sources() { for source; do printf 'common/%s.c ' "$source"; done; }
-# asks NAME PROGRAM WORD COMMAND [BEFORE]: a line for what it answers, BEFORE in front; the command if it cannot.
+# asks NAME PROGRAM WORD MEND [BEFORE]: a line for what it answers, BEFORE in front; if it cannot, what the function
+# MEND PROGRAM WORD FAULT names.
 asks() {
     # Our own words, if there are any: what a driver prints is less clear.
     if "$work/$2" "$3" >"$work/found" 2>"$work/fault"; then
         fine "$1" "${5-}$(tail -n 1 "$work/found")"
     else
         fault=$(grep -m 1 '^OpenCL: ' "$work/fault" || grep -v '^ *$' "$work/fault" | head -n 1)
-        wrong "$1" "${fault:-$2 $3 ended without a word}" "$4"
+        wrong "$1" "${fault:-$2 $3 ended without a word}" "$("$4" "$work/$2" "$3" "$fault")"
         return 1
     fi
 }
@@ -164,39 +197,37 @@ elif ! gcc -std=c11 -D_GNU_SOURCE -O0 -Icommon -Ikernels -Icommon/setup common/s
     $(sources cl_setup cl_build build_log cl_check complain clean_text utf8 number text_file) -lOpenCL -lm \
     -o "$work/doctor_device" >"$work/log" 2>&1; then
     wrong loader "no program for OpenCL can be made: $(grep -m 1 -e 'error:' -e 'cannot find' "$work/log")" \
-        "$(installs ocl-icd-opencl-dev none)"
+        "$(brings_tool gcc ocl-icd-opencl-dev 'ocl-icd-*' 'opencl-*-headers' 'libc6-dev*')"
     for what in platform device layouts; do skipped $what "needs the loader"; done
 else
     fine loader "libOpenCL and its headers are there"
     device=yes
 fi
 
-# Before the device: PoCL has none where it cannot write here.
+# Before the device: PoCL has none where it cannot write here; after sudo make parts of it may be root's.
 cache=${POCL_CACHE_DIR:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/pocl}
 above=$cache
 while [ ! -e "$above" ] && [ "$above" != / ] && [ "$above" != . ]; do above=$(dirname "$above"); done
-if [ -d "$above" ] && [ -w "$above" ] && : 2>/dev/null >"$above/.doctor-$$"; then
+no_rights=$(find "$cache" -type d ! -writable 2>/dev/null | head -n 1)
+if can_write "$above" && [ -z "$no_rights" ]; then
     fine cache "$cache can be written"
 else
-    wrong cache "PoCL cannot write its cache folder: $cache" "export POCL_CACHE_DIR=\"${TMPDIR:-/tmp}/pocl-cache\""
+    # A folder that nobody else can make first.
+    # shellcheck disable=SC2016 # for the user's shell
+    wrong cache "PoCL cannot write its cache folder: ${no_rights:-$cache}" 'export POCL_CACHE_DIR="$(mktemp -d)"'
 fi
-rm -f "$above/.doctor-$$" 2>/dev/null
 
 if [ -n "$device" ]; then
-    mend=$(installs pocl-opencl-icd none)
-    [ -z "${OCL_ICD_VENDORS:-}" ] || mend="unset OCL_ICD_VENDORS"
-    if asks platform doctor_device platforms "$mend"; then
-        mend="export POCL_CACHE_DIR=\"${TMPDIR:-/tmp}/pocl-cache\""
-        [ -z "${POCL_DEVICES:-}" ] || mend="unset POCL_DEVICES"
-        [ -z "${COURSE_DEVICE:-}" ] || mend="unset COURSE_DEVICE"
-        if asks device doctor_device device "$mend"; then
-            asks layouts doctor_device layouts "export COURSE_DEVICE=pthread"
+    missing=
+    for what in platform device layouts; do
+        if [ -n "$missing" ]; then
+            skipped $what "needs a $missing"
+        elif [ $what = platform ]; then
+            asks platform doctor_device platforms mend_opencl || missing=platform
         else
-            skipped layouts "needs a device"
+            asks $what doctor_device $what mend_opencl || missing=device
         fi
-    else
-        for what in device layouts; do skipped $what "needs a platform"; done
-    fi
+    done
 fi
 
 # ---- Pictures -----------------------------------------------------------------------------------
@@ -209,43 +240,27 @@ elif [ -z "$compiler" ] || [ -z "$plus" ]; then
 elif ! g++ -std=c++17 -O0 -fPIC -shared -Icommon $(pkg-config --cflags OpenImageIO 2>/dev/null) common/image.cpp \
     $(pkg-config --libs OpenImageIO 2>/dev/null) -lOpenImageIO -o "$work/libimage_codec.so" >"$work/log" 2>&1; then
     wrong images "OpenImageIO cannot be used: $(grep -m 1 -e 'error:' -e 'cannot find' "$work/log")" \
-        "$(installs libopenimageio-dev none)"
+        "$(mend_images)"
 elif ! gcc -std=c11 -D_GNU_SOURCE -O0 -Icommon common/setup/doctor_image.c \
     $(sources image image_file complain clean_text utf8 text_file output_file output_place path) -ldl -lm \
     -Wl,-rpath,"$work" -o "$work/doctor_image" >"$work/log" 2>&1; then
     wrong images "no program for pictures can be made: $(grep -m 1 -e 'error:' -e 'cannot find' "$work/log")" \
-        "$(installs libc6-dev none)"
+        "$(brings libc6-dev)"
 else
-    asks images doctor_image "$work" "$(installs libopenimageio-dev none)" \
+    asks images doctor_image "$work" mend_images \
         "OpenImageIO $(pkg-config --modversion OpenImageIO 2>/dev/null): "
 fi
 
 # ---- Sandbox ------------------------------------------------------------------------------------
 
-# The walls are tried as the grader's (tests/grader/sandbox/bwrap_arguments.c). What stands in their way, if it is known.
-setting() { cat "/proc/sys/$1" 2>/dev/null || echo none; }
-sandbox_mend() {
-    # In a container these settings are its host's.
-    if [ -e /.dockerenv ] || [ -e /run/.containerenv ]; then
-        echo "export COURSE_SANDBOX=none"
-    elif [ "$(setting user/max_user_namespaces)" = 0 ]; then
-        echo "${sudo}sysctl user.max_user_namespaces=10000"
-    elif [ "$(setting kernel/unprivileged_userns_clone)" = 0 ]; then
-        echo "${sudo}sysctl kernel.unprivileged_userns_clone=1"
-    elif [ "$(setting kernel/apparmor_restrict_unprivileged_userns)" = 1 ]; then
-        echo "${sudo}sysctl kernel.apparmor_restrict_unprivileged_userns=0"
-    else
-        # Too old, as in Ubuntu 22.04.
-        echo "export COURSE_SANDBOX=none"
-    fi
-}
+# The walls are tried as the grader's (tests/grader/sandbox/bwrap_arguments.c).
 # As root the grader has other sandboxes, with a user of its own for each run (sandbox_user.c). Many a container has
 # too few numbers for users.
 has_users() {
     awk '$1 <= 1879048192 && 1879048192 - $1 + 2 ^ 23 < $3 { found = 1 } END { exit !found }' /proc/self/uid_map 2>/dev/null
 }
 if ! has bwrap; then
-    wrong sandbox "there is no bwrap" "$(installs bubblewrap bwrap)"
+    wrong sandbox "there is no bwrap" "$(brings_tool bwrap bubblewrap)"
 elif bwrap --unshare-all --unshare-user --disable-userns --die-with-parent --new-session --cap-drop ALL \
     --ro-bind / / --proc /proc --dev /dev true >"$work/log" 2>&1; then
     fine sandbox "$(bwrap --version)"
@@ -254,26 +269,10 @@ elif [ "$(id -u)" -eq 0 ] && has_users; then
 elif [ "${COURSE_SANDBOX:-}" = none ]; then
     note sandbox "bubblewrap does not work ($(head -n 1 "$work/log")): COURSE_SANDBOX=none, your own code runs without walls"
 else
-    wrong sandbox "bubblewrap does not work: $(head -n 1 "$work/log")" "$(sandbox_mend)"
+    wrong sandbox "bubblewrap does not work: $(head -n 1 "$work/log")" "$(mend_sandbox)"
 fi
 
-# ---- Room, and a window -------------------------------------------------------------------------
-
-# The build folder of a handout takes 60 MB, of the course 250 MB; the grader some MB for each run.
-room() {
-    df -Pk "$1" 2>/dev/null | awk 'NR == 2 { print int($4 / 1024) }'
-}
-needed=500
-for folder in . "${TMPDIR:-/tmp}"; do
-    free=$(room "$folder")
-    if [ -z "$free" ]; then
-        skipped disk "df does not say how much room is in $folder"
-    elif [ "$free" -lt $needed ]; then
-        wrong disk "$free MB are free in $folder, expected $needed" "du -xhd 1 \"\$HOME\" | sort -h | tail"
-    else
-        fine disk "$free MB are free in $folder"
-    fi
-done
+# ---- A window -----------------------------------------------------------------------------------
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     fine window "there is a display for make view"
@@ -290,13 +289,14 @@ if [ -n "$as_json" ]; then
         { printf "%s\n    {\"name\": \"%s\", \"state\": \"%s\", \"found\": \"%s\", \"command\": \"%s\"}", (NR > 1 ? "," : ""), $2, $1, $3, $4 }
         END { print "\n  ]\n}" }'
 else
+    # What begins with a capital letter are words, no command.
     awk -F '\t' '
         { printf "%-8s %-9s %s\n", $1 == "wrong" ? "WRONG" : $1, $2, $3 }
-        $4 != "" { printf "%-18s run: %s\n", "", $4 }' "$work/lines"
+        $4 != "" { printf "%-18s %s%s\n", "", $4 ~ /^[A-Z]/ ? "" : "run: ", $4 }' "$work/lines"
     if [ "$n_wrong" -eq 0 ]; then
         echo "doctor: all is well"
     else
-        echo "doctor: WRONG: $n_wrong. Run the command below the first one, then make doctor again."
+        echo "doctor: WRONG: $n_wrong. Do what is named below the first one, then make doctor again."
     fi
 fi
 [ "$n_wrong" -eq 0 ] || exit 1

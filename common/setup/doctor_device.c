@@ -1,9 +1,9 @@
 // What `make doctor` asks of OpenCL: is there a platform, a device, and does it see the structures
 // that it shares with the host as the host does?
 //
-//     doctor_device platforms|device|layouts
+//     doctor_device platforms|list|device|layouts
 //
-// Prints one line of what was found. Ends with 0, or with 1 after one message on stderr, or with 2
+// Prints one line of what was found, for list one a device. Ends with 0, or with 1 after one message on stderr, or with 2
 // where it was asked something else. doctor.sh compiles it, with what it needs of common/ and
 // nothing else, so that it works where nothing is built. Read next: doctor_layouts.cl.
 #include "cl_setup.h"
@@ -99,9 +99,12 @@ int main(int argc, char **argv)
     if (strcmp(asked, "platforms") == 0) {
         return platforms_print() == 0 ? 0 : 1;
     }
+    if (strcmp(asked, "list") == 0) {
+        return cl_setup_list(stdout) == 0 ? 0 : 1;
+    }
     const int is_device = strcmp(asked, "device") == 0;
     if (!is_device && strcmp(asked, "layouts") != 0) {
-        fprintf(stderr, "usage: doctor_device platforms|device|layouts\n");
+        fprintf(stderr, "usage: doctor_device platforms|list|device|layouts\n");
         return 2;
     }
     ClSetup setup;

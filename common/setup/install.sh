@@ -1,16 +1,15 @@
 #!/bin/sh
-# Install the packages of packages.txt that are missing for one target of make.
+# Install the packages of packages.txt that are missing for targets of make.
 #
-#     common/setup/install.sh [--print] grade|view|editor|notes|demo|test|bench|scale|handout
+#     common/setup/install.sh [--print] TARGET...      of grade, view, editor, notes, demo, test, bench, scale, handout
 #
-# Does nothing and says nothing when all are there. Without apt it prints what is missing, with the command of Fedora
-# or Arch, and stops. With --print it installs nothing: it prints the missing packages, and below them the one command
-# that installs them, if there is one.
+# Does nothing and says nothing when all are there. Otherwise it says what it installs, and how many MB that takes,
+# before it does. Without apt it prints what is missing, with the command of Fedora or Arch, and stops. With --print it
+# installs nothing: it prints the missing packages, and below them the one command that installs them, if there is one.
 set -eu
 
 print=
 [ "$1" != --print ] || { print=yes && shift; }
-target=$1
 list=$(dirname "$0")/packages.txt
 
 # The names of the packages that the target needs, as this distribution calls them.
@@ -18,16 +17,21 @@ list=$(dirname "$0")/packages.txt
 ubuntu=$(grep -c '^ID=ubuntu' /etc/os-release 2>/dev/null || true)
 machine=$(dpkg --print-architecture 2>/dev/null || true)
 packages_of() {
-    awk -v target="$1" -v ubuntu="$ubuntu" -v machine="$machine" '
+    mark=$1
+    shift
+    awk -v targets="$*" -v mark="$mark" -v ubuntu="$ubuntu" -v machine="$machine" '
+    BEGIN { n_targets = split(targets, wanted, " ") }
     /^#/ || NF < 2 { next }
-    index("," $2 ",", "," target ",") {
-        if (split($1, kinds, "@") == 2 && kinds[2] != machine) { next }
+    {
+        is_needed = 0
+        for (i = 1; i <= n_targets; i++) { if (index("," $2 ",", "," wanted[i] mark ",")) { is_needed = 1 } }
+        if (!is_needed || (split($1, kinds, "@") == 2 && kinds[2] != machine)) { next }
         n = split(kinds[1], names, "/")
         print (ubuntu && n == 2 ? names[2] : names[1])
     }' "$list"
 }
-needed=$(packages_of "$target")
-optional=$(packages_of "$target?")
+needed=$(packages_of "" "$@")
+optional=$(packages_of "?" "$@")
 
 # elsewhere COLUMN COMMAND...: what packages-elsewhere.txt calls them there, those for which the command fails, a line.
 elsewhere() {
@@ -81,25 +85,46 @@ missing_of() {
 # shellcheck disable=SC2086 # the lists are words on purpose
 missing=$(missing_of $needed)
 [ -n "$missing" ] || exit 0
+
+# What installs them, as root; what an administrator can run who does not have this folder.
+install="apt-get install --no-install-recommends"
+by_administrator="apt-get update && $install$missing"
+is_root=$([ "$(id -u)" -ne 0 ] || echo yes)
 if [ -n "$print" ]; then
-    printf '%s\n' "${missing# }" "sh $0 $target"
+    if [ -n "$is_root" ] || command -v sudo >/dev/null; then how="sh $0 $*"; else how="Ask an administrator to run: $by_administrator"; fi
+    printf '%s\n' "${missing# }" "$how"
     exit
 fi
 
-if [ "$(id -u)" -eq 0 ]; then
-    as_root=
-elif command -v sudo >/dev/null; then
+as_root=
+if [ -z "$is_root" ]; then
     as_root=sudo
-else
-    echo "Missing packages:$missing" >&2
-    echo "Neither root nor sudo here: ask an administrator to install them, then run make again." >&2
-    exit 1
+    # It may be there and not be allowed: it says so itself.
+    if ! command -v sudo >/dev/null || ! sudo true; then
+        echo "Missing packages:$missing" >&2
+        echo "Neither root nor sudo here: ask an administrator to run this, then run make again:" >&2
+        echo "    $by_administrator" >&2
+        echo "Or work in a container or a virtual machine in which you are root (common/setup/TROUBLESHOOTING.md)." >&2
+        exit 1
+    fi
 fi
-$as_root apt-get update -q
+fail() {
+    echo "The packages could not be $1; apt-get says why above. Is there a network, and no other installation running?" >&2
+    echo "Run make again then: what is there already is not fetched again." >&2
+    exit 1
+}
+$as_root apt-get update -q || fail "looked up"
 # shellcheck disable=SC2086 # the list is words on purpose
 for package in $(missing_of $optional); do
     if apt-cache show "$package" >/dev/null 2>&1; then missing="$missing $package"; fi
 done
+
+# How much that is, in apt-get's own words: "Need to get 366 MB of archives." and "After this operation, 1640 MB ...".
+# shellcheck disable=SC2086 # the lists are words on purpose
+words=$($as_root env LC_ALL=C $install --assume-no $missing 2>/dev/null || true)
+fetched=$(echo "$words" | sed -n 's/^Need to get \([^/]*B\).* of archives\.$/\1/p')
+unpacked=$(echo "$words" | sed -n 's/^After this operation, \(.*B\) of additional disk space will be used\.$/\1/p')
 echo "Installing:$missing"
+echo "That is ${fetched:-an unknown number of MB} to download, and ${unpacked:-an unknown number of MB} on disk."
 # shellcheck disable=SC2086 # the list is words on purpose
-$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+$as_root env DEBIAN_FRONTEND=noninteractive $install -q -y $missing || fail installed

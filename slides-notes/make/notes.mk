@@ -63,8 +63,7 @@ $(NOTES)/%.pdf: $(NOTES)/%.html $(NOTES_MAKE)/print.sh
 
 .PHONY: notes notes-html notes-pdf notes-runs german
 notes:  ## install what is missing, make notes, slides and the course's site, for students and for instructors
-	@common/setup/install.sh demo  # what the solutions need, whose counts stand in the texts
-	@common/setup/install.sh notes
+	@common/setup/install.sh demo notes  # demo: what the solutions need, whose counts stand in the texts
 	@command -v pandoc >/dev/null || { echo "make notes: found no pandoc, expected it to be installed" >&2; exit 1; }
 	@$(MAKE) --no-print-directory notes-html
 	@slides-notes/touch/compiler.sh >/dev/null || \

@@ -19,7 +19,7 @@ $(OUT)/tools/unpack: $(call objects,tests/grader/submission/unpack_tool.c) $(OUT
 # Process 1 of bubblewrap's sandboxes is a program of its own, whose bytes the grader holds; never with
 # the sanitizers.
 SANDBOX_INIT := $(OUT)/obj/tests/grader/sandbox/sandbox_init
-$(SANDBOX_INIT): tests/grader/sandbox/sandbox_init_tool.c Makefile
+$(SANDBOX_INIT): tests/grader/sandbox/sandbox_init_tool.c $(FLAG_FILES)
 	@mkdir -p $(@D)
 	$(call say,link    $@)$(CC) -std=c11 -D_GNU_SOURCE -O2 -s $(WARNINGS) $< -o $@
 $(SANDBOX_INIT).c.o: EXTRA = $(GRADER_INCLUDES) -DSANDBOX_INIT='"$(SANDBOX_INIT)"'

@@ -34,7 +34,7 @@ done
 number=${lab%%-*}
 manifest=labs/$lab/lab.json
 command -v jq >/dev/null || fail "jq is not here: install the package jq"
-git log -1 >/dev/null 2>&1 || fail "here is no git checkout: only tracked files go into a handout"
+why=$(sh common/setup/checkout.sh) || fail "only files that git tracks go into it, but $why"
 
 stage=$(mktemp -d "${TMPDIR:-/tmp}/handout-XXXXXX")
 trap 'rm -rf "$stage"' EXIT
@@ -53,7 +53,7 @@ copy() {
 git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .devcontainer .editorconfig \
     .gitattributes .gitignore Containerfile | copy
 # The course's container can grade classes, too.
-sed -i 's/install\.sh demo$/install.sh grade/' "$root/Containerfile"
+sed -i 's/install\.sh demo /install.sh grade /' "$root/Containerfile"
 
 # The skeleton is cut anew: in labs/ somebody may have tried the tasks.
 tests/tools/cut_labs.sh "$holes" "$stage/cut/labs"

@@ -11,7 +11,8 @@ set -eu
 notes=$1
 handouts=$2
 folder=$3
-commit=$(git describe --always --exclude='*' --abbrev=12 --dirty) || { echo "release: here is no git checkout" >&2 && exit 1; }
+why=$(sh common/setup/checkout.sh) || { echo "release: a release is named after its commit, but $why" >&2 && exit 1; }
+commit=$(git describe --always --exclude='*' --abbrev=12 --dirty)
 version=$(sed -n 's/^## \([0-9][0-9.]*\).*/\1/p' CHANGELOG.md | head -n 1)-$commit
 
 mkdir -p "$folder"

@@ -7,8 +7,8 @@ build=${BUILD:-build}
 course=$PWD
 labs=$(cd solutions && printf '%s\n' */ | tr -d /)
 
-if ! git ls-files >/dev/null 2>&1; then
-    skip "handouts" "here is no git checkout to pack from"
+if ! why=$(sh common/setup/checkout.sh); then
+    skip "handouts" "$why"
     finish
     exit
 fi
@@ -199,7 +199,7 @@ finished() {
 # contained FOLDER: are the files of its container there, and does it get what a handout needs?
 contained() {
     [ -f "$1/.devcontainer/$(jq -r .build.dockerfile "$1/.devcontainer/devcontainer.json")" ] || return 1
-    ! grep demo "$1/Containerfile" && grep -qx 'RUN common/setup/install.sh grade' "$1/Containerfile"
+    ! grep demo "$1/Containerfile" && grep -qx 'RUN common/setup/install.sh grade view editor' "$1/Containerfile"
 }
 
 # edited FOLDER: does clangd, by what the handout tells it, find no fault in the lab's files?

@@ -254,7 +254,7 @@ ok $? "speaker notes show the solutions" "$(cat "$scratch/skeletons")"
 
 # ---- A release -----------------------------------------------------------------------------------
 
-if git log -1 >/dev/null 2>&1; then
+if why=$(sh common/setup/checkout.sh); then
     # Of the pages that are here, and of a handout that is none. release [PAGE]: with one page more.
     mkdir "$scratch/handouts"
     echo packed | tee "$scratch/handouts/03-lab.tar.gz" >"$scratch/handouts/03-lab.txt"
@@ -282,7 +282,7 @@ if git log -1 >/dev/null 2>&1; then
     }
     check "where a page is missing, the release before stays as it was" nothing_half_written
 else
-    skip "a release" "here is no git checkout, whose version it has"
+    skip "a release" "$why"
 fi
 
 # ---- Contrast, time, sameness --------------------------------------------------------------------

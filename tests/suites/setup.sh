@@ -68,10 +68,21 @@ chmod +x "$bare/dpkg-query" "$bare/apt-get"
 rm "$bare/id"
 printf '#!/bin/sh\necho 1000\n' >"$bare/id"
 chmod +x "$bare/id"
+printf '#!/bin/sh\n' >"$bare/true"
+chmod +x "$bare/true"
 APT_LOG=$scratch/apt.log
 export APT_LOG
 check "without root and sudo it stops" runs 1 "$bare" demo
 check "and says whom to ask" grep -q "Neither root nor sudo" "$scratch/said"
+check "and what to ask for" grep -q "^    apt-get update && apt-get install --no-install-recommends make gcc " "$scratch/said"
+[ ! -e "$APT_LOG" ]
+ok $? "and installs nothing"
+
+# A sudo that lets this user do nothing.
+printf '#!/bin/sh\necho "sudo: no" >&2\nexit 1\n' >"$bare/sudo"
+chmod +x "$bare/sudo"
+check "with a sudo that refuses it stops" runs 1 "$bare" demo
+check "and says what to ask for" grep -q "^    apt-get update && apt-get install --no-install-recommends make gcc " "$scratch/said"
 [ ! -e "$APT_LOG" ]
 ok $? "and installs nothing"
 
@@ -80,7 +91,7 @@ printf '#!/bin/sh\nexec "$@"\n' >"$bare/sudo"
 chmod +x "$bare/sudo"
 check "with sudo it installs" runs 0 "$bare" demo
 check "it says what" grep -q "^Installing: make gcc " "$scratch/said"
-asked=$(sed -n 's/^apt-get install.* --no-install-recommends //p' "$APT_LOG")
+asked=$(sed -n 's/^apt-get install.* --no-install-recommends -q -y //p' "$APT_LOG")
 # shellcheck disable=SC2086,SC2116 # the list on one line
 [ "$asked" = "$(echo $needed)" ]
 ok $? "it asks apt for the list, without recommended packages" "asked for: $asked"
@@ -94,7 +105,7 @@ optional=$(awk '!/^#/ && index("," $2 ",", ",test?,") { sub("/.*", "", $1); prin
 for APT_KNOWS in $optional nothing; do
     rm -f "$APT_LOG"
     check "with an apt that knows $APT_KNOWS it installs" runs 0 "$bare" test
-    asked=$(sed -n 's/^apt-get install.* --no-install-recommends //p' "$APT_LOG" | tr ' ' '\n' | grep -x -F "$optional" || true)
+    asked=$(sed -n 's/^apt-get install.* --no-install-recommends -q -y //p' "$APT_LOG" | tr ' ' '\n' | grep -x -F "$optional" || true)
     case $APT_KNOWS in
     nothing) [ -z "$asked" ] ;;
     *) [ "$asked" = "$APT_KNOWS" ] ;;
@@ -108,6 +119,35 @@ rm -f "$APT_LOG"
 check "nothing missing: nothing done" runs 0 "$bare" test
 [ ! -e "$APT_LOG" ] && [ ! -s "$scratch/said" ]
 ok $? "and nothing said"
+
+# It says how much that is, before it fetches it.
+printf '#!/bin/sh\nexit 1\n' >"$bare/dpkg-query"
+# shellcheck disable=SC2016 # for the script that is written
+printf '%s\n' '#!/bin/sh' 'echo "apt-get $*"' 'case $* in *--assume-no*) echo "Need to get 12.3 MB/366 MB of archives."' \
+    'echo "After this operation, 1640 MB of additional disk space will be used."; exit 1 ;; esac' >"$bare/apt-get"
+check "two targets at a time" runs 0 "$bare" grade view
+asked=$(sed -n '/^That is 12.3 MB to download, and 1640 MB on disk.$/{n;s/.* //p;}' "$scratch/said")
+[ "$asked" = fonts-dejavu-core ]
+ok $? "how much is said before it is fetched" "$(cat "$scratch/said")"
+# shellcheck disable=SC2016 # for the script that is written
+printf '#!/bin/sh\necho "apt-get $*" >>"$APT_LOG"\n' >"$bare/apt-get"
+
+# make before make setup: one message, which names it, instead of a compiler's for each file.
+for tool in make nproc find mkdir tr uname sort rm; do
+    ln -s "$(command -v $tool)" "$bare/$tool"
+done
+for target in grader "$scratch/none/labs/00-hello-pixels"; do
+    env -u MAKEFLAGS -u MAKELEVEL PATH="$bare" make BUILD="$scratch/none" "$target" >"$scratch/said" 2>&1
+    [ $? -eq 2 ] && [ "$(grep -c 'not on this machine yet: gcc, g++, pkg-config. Run make setup first' "$scratch/said")" -eq 1 ] &&
+        ! grep -q 'not found' "$scratch/said"
+    ok $? "make ${target#"$scratch"/} before make setup" "$(cat "$scratch/said")"
+done
+printf '#!/bin/sh\necho ", jansson.h"\n' >"$scratch/a-compiler"
+chmod +x "$scratch/a-compiler"
+! common/setup/ready.sh "$scratch/none/ready" gcc "$scratch/a-compiler" >"$scratch/said" 2>&1 &&
+    grep -q 'not on this machine yet: jansson.h. Run make setup' "$scratch/said"
+ok $? "a header is missing" "$(cat "$scratch/said")"
+check "nothing is missing" common/setup/ready.sh "$scratch/none/ready" gcc g++
 
 # What only one kind of machine needs is asked for there.
 printf '#!/bin/sh\nexit 1\n' >"$bare/dpkg-query"
@@ -126,7 +166,7 @@ done
 # contained FILE: is each line of a Containerfile one of these?
 contained() {
     ! grep -v -e '^#' -e '^FROM docker.io/library/debian:1[0-9]-slim$' -e '^WORKDIR /course$' -e '^COPY common/setup common/setup$' \
-        -e '^RUN common/setup/install.sh [a-z]*$' "$1"
+        -e '^RUN common/setup/install.sh [a-z ]*$' "$1"
 }
 check "the Containerfile installs packages of the list, and nothing else" contained Containerfile
 printf 'RUN apt-get install -y cowsay\n' | cat Containerfile - >"$scratch/Containerfile"

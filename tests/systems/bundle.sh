@@ -32,6 +32,8 @@ fi
 command -v jq >/dev/null || { echo "bundle: jq is not here: install the package jq" >&2 && exit 2; }
 number=${lab%%-*}
 manifest=${4:-solutions/$lab/lab.json}
+# Where there is no checkout, every file is the course's. Where git does not read the one that is there, nobody knows.
+[ ! -e .git ] || why=$(sh common/setup/checkout.sh) || { echo "bundle: only files that git tracks are packed, but $why" >&2 && exit 2; }
 date=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
 stage=$(mktemp -d "${TMPDIR:-/tmp}/bundle-XXXXXX")
 trap 'rm -rf "$stage"' EXIT
