@@ -34,11 +34,11 @@ static SystemName read_canvas(const char *entry)
     // A name may have underscores, but no number between two: the first ones are Canvas'.
     const int is_named = matches("_([0-9]+)_([0-9]+)_(.+)$", entry, parts) ||
                          matches("_([0-9]+)_()((text|link)\\.html)$", entry, parts);
-    // Where submissions are anonymous.
     // Names are in small letters: only a file's own name may have what looks like another mark, and
     // then it was meant so.
     const int is_late = matches("_LATE_[0-9]+_([0-9]+_|(text|link)\\.html)", entry, more) ||
                         matches("^LATE_anon_", entry, more);
+    // Where submissions are anonymous.
     const int is_anonymous =
         matches("^(LATE_)?(anon_[A-Za-z0-9]{5})_[0-9]+_(.+)$", entry, more) ||
         matches("^(LATE_)?(anon_[A-Za-z0-9]{5})_((text|link)\\.html)$", entry, more);
@@ -60,8 +60,11 @@ static SystemName read_canvas(const char *entry)
          (parts[2].length > 0 && parts[2].length < LEAST_DIGITS))) {
         return name;
     }
-    // A third number: one of the three may be part of a name that somebody chose.
-    if (n_name == 0 || matches("^[0-9]+_", parts[3].text, more)) {
+    // A third number, or two more further back: nobody can tell which of them are Canvas' and which
+    // are in a name that the student chose. So the file is nobody's, also where another student's
+    // number is in it.
+    if (n_name == 0 ||
+        matches("^[0-9]+_|_[0-9]{3,}_([0-9]{3,}_|(text|link)\\.html$)", parts[3].text, more)) {
         return name;
     }
     name.system = SYSTEM_CANVAS;
