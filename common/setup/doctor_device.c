@@ -3,9 +3,10 @@
 //
 //     doctor_device platforms|list|device|layouts
 //
-// Prints one line of what was found, for list one a device. Ends with 0, or with 1 after one message on stderr, or with 2
-// where it was asked something else. doctor.sh compiles it, with what it needs of common/ and
-// nothing else, so that it works where nothing is built. Read next: doctor_layouts.cl.
+// Prints one line of what was found, for list one a device. Ends with 0, or with 1 after one
+// message on stderr, or with 2 where it was asked something else. doctor.sh compiles it, with what
+// it needs of common/ and nothing else, so that it works where nothing is built. Read next:
+// doctor_layouts.cl.
 #include "cl_setup.h"
 #include "doctor_structures.h"
 

@@ -1,6 +1,7 @@
 // Looking into an entry, within limits (see entry_content.h).
 #include "entry_content.h"
 
+#include "export_entries.h"
 #include "message.h"
 
 #include <dirent.h>
@@ -32,13 +33,11 @@ typedef struct Look {
 // Takes the path over.
 static void piece_add(Look *look, char *path, const struct stat *status)
 {
-    enum { FEW = 64 };
-    if (look->n == 0 || (look->n >= FEW && (look->n & (look->n - 1)) == 0)) {
-        Piece *more =
-            realloc(look->all, sizeof *more * (size_t)(look->n < FEW ? FEW : 2 * look->n));
-        look->has_failed |= more == NULL;
-        look->all = more != NULL ? more : look->all;
+    Piece *more = array_grown(look->all, look->n, sizeof *more);
+    if (more != NULL) {
+        look->all = more;
     }
+    look->has_failed |= more == NULL;
     look->has_failed |= path == NULL;
     if (look->has_failed) {
         free(path);

@@ -14,8 +14,8 @@
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
 // FOLDER/submissions/SLUG to each entry, with `--commits` after it has asked Git for the times of
-// commits, and prints the slug, a tab and the name of each; `contents` prints the slug and a hash of
-// what is in each (entry_content.h); `keys` gives each its seed
+// commits, and prints the slug, a tab and the name of each; `contents` prints the slug and a hash
+// of what is in each (entry_content.h); `keys` gives each its seed
 // (class_keys.h); `check` reads what `write` will need, before all gradings; `write` makes
 // gradebook.csv, gradebook.json, class.html and class-slides.html in FOLDER of it, with `--names
 // no` also class-no-names.html, and says how the class did; `feedback` packs the reports for those

@@ -35,8 +35,8 @@ typedef struct HandedIn {
 //   build    "build": where tools/unpack is
 //   lab      "03-kdtree-2d-render"
 //   folder   has roster.json and submissions/SLUG (roster.h)
-// An entry that this machine cannot read, as a folder of mode 0, is named on stderr and passed by. So
-// is one that takes too much to read, which stays an author.
+// An entry that this machine cannot read, as a folder of mode 0, is named on stderr and passed by.
+// So is one that takes too much to read, which stays an author.
 // Returns 0, or -1 after one message on stderr, also where no entry can be read. Release with
 // handed_in_free() in either case.
 int handed_in_read(const char *build, const char *lab, const char *folder, HandedIn *class);

@@ -55,9 +55,9 @@ static int print_help(void)
     return standard_output_check() == 0 ? 0 : EXIT_FAULT;
 }
 
-// Note what was reached. If a picture is wrong, say how to follow a pixel. The message names a pixel
-// of a hidden scene. To find a wrong one of the open scene, the program in labs/ would have to run,
-// and its code may be somebody else's. Returns 0, or -1 after one message.
+// Note what was reached. If a picture is wrong, say how to follow a pixel. The message names a
+// pixel of a hidden scene. To find a wrong one of the open scene, the program in labs/ would have
+// to run, and its code may be somebody else's. Returns 0, or -1 after one message.
 static int note(const Desk *desk)
 {
     char path[PATH_MAX];

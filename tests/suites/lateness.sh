@@ -222,10 +222,9 @@ check "a mark of one who has more time" exits 1 again --due "$due" --late "$late
 check "says nothing" open rossbob \
     "Canvas marks it as late, but says no time, and you gave time until 2026-11-27 23:59 CET"
 check "no mark says that it was in time" is shawcarol 100 0
-check "who was late and calls a file so" sh -c "mv '$class/rossbob_LATE_40013_880037_gradient.cl' \
-    '$class/rossbob_1111_2222_x_LATE_40013_880037_gradient.cl'"
-graded
-check "is late" test "$(of rossbob '.score, .late.is_late')" = "90 true"
+mv "$class/rossbob_LATE_40013_880037_gradient.cl" "$class/rossbob_1111_2222_x_LATE_40013_880037_gradient.cl"
+check "a name with another number in it is nobody's" exits 1 graded
+check "and has no grade, in time or late" test -z "$(of rossbob .score)"
 
 rm "$class"/*
 for one in ada:2026-11-25-23-59-59 bob:2026-11-26-00-00-01 cy:2026-11-28-10-00-00; do

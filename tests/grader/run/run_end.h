@@ -21,9 +21,9 @@ enum {
 // with LLVM 18 checks there what only LLVM's own tests should check, and aborts the program.
 #define SECOND_COMPILER "POCL_WORK_GROUP_METHOD=cbs"
 
-// Did a run end as it does when the driver's compiler gives up on a kernel: by abort() or exit(1)? A
-// student's answer may end so, too, and nothing that it cannot write tells the two apart: what the
-// compiler prints, it can print as well. So a second try is made, and nobody is blamed.
+// Did a run end as it does when the driver's compiler gives up on a kernel: by abort() or exit(1)?
+// A student's answer may end so, too, and nothing that it cannot write tells the two apart: what
+// the compiler prints, it can print as well. So a second try is made, and nobody is blamed.
 int run_end_is_as_compilers(const SandboxResult *result);
 
 // Why a run did not come to its end by itself with status 0, or NULL when it did. Of what it
