@@ -89,7 +89,7 @@ ilias() {
     mkdir -p "$folder"
     case $((number % 3)) in
     0) echo "$number" >"$folder/Late Submission - gradient.cl" ;;
-    1) echo older >"$folder/gradient.cl" && echo "$number" >"$folder/gradient (2).cl" ;;
+    1) echo "$number" >"$folder/gradient (2).cl" ;;
     2) echo "$number" >"$folder/gradient.cl" ;;
     esac
 }

@@ -48,7 +48,7 @@ graded() {
 }
 
 # has NUMBER SCORE: what upload.csv has for the student of this number; "": nothing.
-has() { grep -q "\"$1\",\"$2\"\$" "$scratch/$of.out/upload.csv" || { cat "$scratch/$of.out/upload.csv"; return 1; }; }
+has() { grep -q "\"$1\"[,;]\"$2\"\$" "$scratch/$of.out/upload.csv" || { cat "$scratch/$of.out/upload.csv"; return 1; }; }
 
 # undecided ENTRY WORDS: has who.csv a line for the entry, and does its reason say so?
 undecided() { grep -F -- ",\"$1\"," "$scratch/$of.out/who.csv" | grep -qF -- "$2" || { cat "$scratch/$of.out/who.csv"; return 1; }; }

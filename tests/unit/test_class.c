@@ -343,8 +343,7 @@ Test(failures, an_earlier_attempt_is_nobodys)
     again.attempt = 2;
     Row rows[] = {row_make(&ada, "first", NULL), row_make(&again, "second", NULL),
                   row_make(&bob, NULL, NULL)};
-    rows[2].fault = (char *)"Compiling", rows[2].fault_id = (char *)"";
-    rows[2].fault_message = (char *)"error: x";
+    rows[2].stage = (char *)"Compiling", rows[2].stage_said = (char *)"error: x";
     const Gradebook gradebook = two_checks(rows, 3);
     Failures failures;
     cr_assert_eq(failures_find(&gradebook, &failures), 0);
