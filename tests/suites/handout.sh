@@ -116,7 +116,7 @@ no_solution() {
 # The names of the judge's functions and tables, but for short ones, those that the grader has as well, and
 # tasks.
 judge_names() {
-    sed -n 's/.*{ "id": "\([^"]*\)".*/\1/p; s/^ *"id": "\([^"]*\)".*/\1/p' solutions/*/lab.json >"$scratch/tasks"
+    jq -r '.. | objects | .id // empty' solutions/*/lab.json >"$scratch/tasks"
     nm "$build/libgrader.a" "$build/libcommon.a" 2>/dev/null | sed -n 's/.* [A-Za-z] //p' | sort -u >"$scratch/shared"
     find "$build/obj/tests/judge" -name '*.o' -exec nm {} + 2>/dev/null | sed -n 's/.* [TtRrDd] \([a-z_0-9]\{12,\}\)$/\1/p' | sort -u |
         comm -23 - "$scratch/shared" | grep -v -x -F -f "$scratch/tasks"
