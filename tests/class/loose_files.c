@@ -4,6 +4,7 @@
 
 #include "bytes_write.h"
 #include "complain.h"
+#include "entry_content.h"
 #include "file_names.h"
 #include "path.h"
 
@@ -51,7 +52,13 @@ int loose_file_put(int from, const char *file, int to, const char *name)
     }
     const int source = openat(from, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     const int copy = openat(to, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    const int result = source >= 0 && copy >= 0 ? file_copy(source, copy) : -1;
+    // What is too large to be graded is not copied: it may be made to fill the disk. An empty file
+    // of its size is refused in the same way.
+    const int is_large = status.st_size > (off_t)CONTENT_MOST_FILE_MB << 20;
+    int result = source >= 0 && copy >= 0 ? 0 : -1;
+    if (result == 0) {
+        result = is_large ? ftruncate(copy, status.st_size) : file_copy(source, copy);
+    }
     const int number = errno;
     if (source >= 0) {
         close(source);
