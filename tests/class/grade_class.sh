@@ -279,13 +279,14 @@ set --
 [ -z "$against" ] || set -- "$@" --against "$against"
 attend "$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
 
+# results_say SLUG FILTER: does it say true of the results? Of an empty file jq says nothing, with status 0.
+results_say() { [ "$(jq "$2" "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null)" = true ]; }
+
 # has_full_marks SLUG
-has_full_marks() {
-    jq -e '.score == .max_score' "$CLASS_FOLDER/students/$1/results.json" >/dev/null 2>&1
-}
+has_full_marks() { results_say "$1" 'has("score") and .score == .max_score'; }
 
 # has_results SLUG: are they whole? A full disk, or a crash of the machine, may have cut them short.
-has_results() { jq -e .checks "$CLASS_FOLDER/students/$1/results.json" >/dev/null 2>&1; }
+has_results() { results_say "$1" 'has("checks")'; }
 
 # is_wanted SLUG KEY: is there something to do at the start?
 is_wanted() {

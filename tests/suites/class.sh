@@ -173,7 +173,7 @@ check "on scenes that no report of the first run has shown" \
 check "the seed in a report is the one that was drawn for it" sh -c 'grep -q "\"seed\": \"$(sed -n "s/^bob-.* //p" "$1/keys")\"" \
     "$1"/students/bob-*/results.json' - "$first"
 check "old and new scores are compared" grep -q '0 &rarr; 100' "$first/class.html"
-printf '{ "score":\n}\n' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
+printf '{ "checks":\n[] }\n' >"$(echo "$first"/students/ada-lovelace-*)/results.json"
 check "a damaged result does not keep the others from theirs" exits 1 run "$first"
 check "and is no zero" row "$first" '"Ada Lovelace","1234567",1,"not graded",,'
 check "only the failed" exits 0 run "$first" --only failed
@@ -411,11 +411,11 @@ for file in key results.json; do
 done
 
 # A class folder without room: as in a sandbox, in a file system of its own.
-# full MB: a run in a folder with so much room but for 4 KB, and then in the same with all of it.
+# full MB: a run in a folder with room for three small files, and then in the same with so much.
 full() {
     # shellcheck disable=SC2016 # for the inner shell
     unshare -rm sh -c 'mkdir "$1/full" && mount -t tmpfs -o size="$2"m room "$1/full" || exit
-        head -c "$(($2 * 1048576 - 8192))" /dev/zero >"$1/full/other"
+        head -c "$(($2 * 1048576 - 12288))" /dev/zero >"$1/full/other"
         shift 2
         first=0 then=0
         "$@" >"${0}.1" 2>&1 </dev/null || first=$?
