@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -130,9 +131,8 @@ static void names_hash(const Look *look, struct sha256_ctx *hash)
 {
     for (int i = 0; i < look->n; i++) {
         const struct stat *status = &look->all[i].status;
-        char *line = message_new("%s %o %lld %lld", look->all[i].path, status->st_mode & S_IFMT,
-                                 S_ISDIR(status->st_mode) ? 0LL : (long long)status->st_size,
-                                 look->is_over ? (long long)status->st_mtime : 0LL);
+        char *line = message_new("%s %o %lld", look->all[i].path, status->st_mode & S_IFMT,
+                                 S_ISDIR(status->st_mode) ? 0LL : (long long)status->st_size);
         sha256_update(hash, strlen(line) + 1, (const uint8_t *)line);
         free(line);
     }
@@ -201,6 +201,11 @@ int entry_content(const char *path, char hex[CONTENT_HEX])
         names_hash(&look, &hash);
         qsort(look.all, (size_t)look.n, sizeof *look.all, sizes_compare);
         files_hash(&look, path, &hash);
+    }
+    if (look.is_over) {
+        uint8_t other[SHA256_DIGEST_SIZE] = {0};
+        look.has_failed |= getrandom(other, sizeof other, 0) != (ssize_t)sizeof other;
+        sha256_update(&hash, sizeof other, other);
     }
     sha256_digest(&hash, sizeof digest, digest);
     for (int i = 0; i < SHA256_DIGEST_SIZE; i++) {

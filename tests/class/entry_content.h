@@ -17,8 +17,8 @@ enum {
 // Hash the names, kinds and sizes of all that is in an entry, and the bytes of its files. No link
 // in it is followed.
 //   path   the entry: a folder, or a file
-// Returns 0; 1 if there is more than the limits allow: then a change beyond them is seen only by
-// the times of files, which are in the hash, too; or -1 when memory runs out.
+// Returns 0; 1 if there is more than the limits allow: then the hash is another one each time, as
+// nobody knows what has changed beyond them; or -1 when memory runs out.
 int entry_content(const char *path, char hex[CONTENT_HEX]);
 
 #endif

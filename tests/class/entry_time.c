@@ -18,7 +18,7 @@ enum { ILIAS_TIME_DIGITS = 14 };
 typedef struct IliasFiles {
     int n, n_timed;              // how many there are, and how many have a time before their name
     char time[24];               // the last of these, or ""
-    int is_late;                 // one is marked
+    int n_late;                  // how many are marked
     char odd[ENTRY_NAME_BYTES];  // one that may be, in a language that is not known here; or ""
 } IliasFiles;
 
@@ -60,7 +60,7 @@ static void ilias_folder_look(const char *path, IliasFiles *files)
                 snprintf(files->time, sizeof files->time, "%.*s", ILIAS_TIME_DIGITS, name);
             }
         } else if (is_marked(name)) {
-            files->is_late = 1;
+            files->n_late++;
         } else if (may_be_marked(name)) {
             entry_name_show(name, strlen(name), files->odd);
         }
@@ -99,22 +99,27 @@ static int ilias_look(const Export *export, const Found *found, IliasFiles *file
     return 1;
 }
 
-static EntryTime ilias_time(const Export *export, const IliasFiles *files)
+static EntryTime ilias_time(const Export *export, const IliasFiles *files, int is_version)
 {
     char words[ENTRY_NAME_BYTES + 100] = "";
-    EntryTime time = {.from = SYSTEM_ILIAS, .is_late = files->is_late};
+    const int is_doubtful = is_version && files->n_late > 0 && files->n_late < files->n;
+    EntryTime time = {.from = SYSTEM_ILIAS, .is_late = files->n_late > 0 && !is_doubtful};
     if (export->has_ilias_times && files->n_timed == files->n) {
         time.text = strdup(files->time);
         return time;
     }
-    // A mark decides; without one there may be a doubt.
-    if (!files->is_late && export->has_ilias_times) {
+    // A mark decides, but for a version of which not all files have it; without one there may be a
+    // doubt.
+    if (is_doubtful) {
+        snprintf(words, sizeof words,
+                 "ILIAS marked some of the student's files as late, and not all");
+    } else if (!time.is_late && export->has_ilias_times) {
         snprintf(words, sizeof words, "not all of its files have a time, which ILIAS wrote here");
-    } else if (!files->is_late && files->n_timed > 0) {
+    } else if (!time.is_late && files->n_timed > 0) {
         snprintf(words, sizeof words,
                  "the name of a file begins with %s, which the student may have written",
                  files->time);
-    } else if (!files->is_late && files->odd[0] != '\0') {
+    } else if (!time.is_late && files->odd[0] != '\0') {
         snprintf(words, sizeof words,
                  "\"%s\" may begin with the mark of late work in a language that the grader does "
                  "not know",
@@ -133,13 +138,23 @@ static int has_marks(ExportSystem system)
     return system == SYSTEM_CANVAS;
 }
 
-EntryTime entry_time(const Export *export, int begin, int end)
+// Have the files of an attempt by Stud.IP's list the same time?
+static int is_of_one_time(const Export *export, int begin, int end)
+{
+    int i = begin + 1;
+    while (i < end && strcmp(export->found[i].listed_time, export->found[begin].listed_time) == 0) {
+        i++;
+    }
+    return i >= end;
+}
+
+EntryTime entry_time(const Export *export, int begin, int end, int is_version)
 {
     const Found *found = &export->found[begin];
     const char *text = found->submitters != NULL ? found->submitters->time : found->name.time;
     IliasFiles files;
     if (ilias_look(export, found, &files)) {
-        return ilias_time(export, &files);
+        return ilias_time(export, &files, is_version);
     }
     // Of Stud.IP's list the times are sure also where the owners are not.
     EntryTime time = {.from = found->is_listed                 ? SYSTEM_STUDIP
@@ -150,6 +165,9 @@ EntryTime entry_time(const Export *export, int begin, int end)
     }
     if (time.from == SYSTEM_BRIGHTSPACE && text[0] == '\0') {
         text = "its name has two dates, or one in a form that the grader does not know";
+        time.from = SYSTEM_NONE;
+    } else if (time.from == SYSTEM_STUDIP && is_version && !is_of_one_time(export, begin, end)) {
+        text = "the files of this name came at different times, which the list has";
         time.from = SYSTEM_NONE;
     } else if (time.from == SYSTEM_MOODLE) {
         text = "only Moodle's grading worksheet (LIST=) can say it";

@@ -16,6 +16,8 @@ typedef struct EntryTime {
 // Canvas and a newer ILIAS write no times but mark what is late: Canvas in the names of files,
 // ILIAS before the name of each file in the folder.
 //   begin, end   the attempt's entries
-EntryTime entry_time(const Export *export, int begin, int end);
+//   is_version   it is asked for one version of a file: what is known only of the attempt as a
+//                whole is then no answer
+EntryTime entry_time(const Export *export, int begin, int end, int is_version);
 
 #endif

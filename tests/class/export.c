@@ -45,12 +45,31 @@ static int pass_over(Export *export, const char *file)
     return failed ? -1 : 0;
 }
 
+// Beside names that a system made there may be others, as of a folder that the instructor added. If
+// the system's are a student's own, the instructor can see it by that.
+static void plain_tell(const Export *export)
+{
+    const Found *first = NULL;
+    const int n =
+        export->system != SYSTEM_NONE ? export_plain_count(export, export->system, &first) : 0;
+    if (n > 0) {
+        char shown[ENTRY_NAME_BYTES];
+        entry_name_show(first->file, strlen(first->file), shown);
+        const char *title = evidence_of(export->system)->title;
+        complain("gradebook: %s: most names are as %s makes them, so they say whose the files are; "
+                 "%d are not, such as \"%s\": if this folder is not %s' export, move the files "
+                 "that look so out of it",
+                 export->path, title, n, shown, title);
+    }
+}
+
 // Decide which system made the names, read them so, and put aside the files without an owner.
 static int names_settle(Export *export)
 {
     int n = 0, failed = 0;
     if (export->system == SYSTEM_NONE && !studip_names_read(export)) {
         export->system = export_system_find(export);
+        plain_tell(export);
         export_names_read(export);
     }
     for (int i = 0; i < export->n_found; i++) {

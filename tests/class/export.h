@@ -14,11 +14,12 @@
 typedef struct Found {
     char *file;  // its name, as it is
     EntryName name;
-    unsigned systems;   // a bit for each ExportSystem that may have made the name
-    unsigned readable;  // and for each as whose it can be read
-    int has_times;      // a folder of files that ILIAS has named by their times, and of no others
-    int has_untimed;    // a folder of other files
-    int is_team;        // a folder "Team 12" of nothing but folders of ILIAS', its members'
+    unsigned systems;      // a bit for each ExportSystem that may have made the name
+    unsigned readable;     // and for each as whose it can be read
+    char listed_time[24];  // of this file, by Stud.IP's list; name.time is that of the attempt
+    int has_times;    // a folder of files that ILIAS has named by their times, and of no others
+    int has_untimed;  // a folder of other files
+    int is_team;      // a folder "Team 12" of nothing but folders of ILIAS', its members'
     size_t n_title, n_login;  // Blackboard's: how many bytes the title and the login behind it have
     int is_folder;
     int is_link;   // neither a folder nor a file: cannot be graded

@@ -118,6 +118,16 @@ static int is_numbered(const char *name, int number)
     return end > digits && first == number && end[strcspn(end, "0123456789")] == '\0';
 }
 
+static int is_empty(const char *folder, int lab_number)
+{
+    Export inner = {0};
+    path_make(inner.path, "%s", folder);
+    const int is_read = export_entries_read(&inner, lab_number, 3) == 0;
+    const int n = inner.n_found;
+    export_entries_free(&inner);
+    return is_read && n == 0;
+}
+
 // Does a folder hold the work of several students, by names that a system made, itself or in a
 // folder "Abgaben"?
 static int is_exercise(const char *folder, int lab_number)
@@ -129,10 +139,10 @@ static int is_exercise(const char *folder, int lab_number)
     return below.system != SYSTEM_NONE && below.has_students;
 }
 
-// The folders of several exercises side by side, as a whole course is exported: most of the folders
-// hold exports, each of several students. No student can do that alone, as the others of a class
-// would have to hand in such folders, too. Finds those of which the number is the lab's. Returns
-// how many folders hold exports, 0 where this is one exercise.
+// The folders of several exercises side by side, as a whole course is exported: all of the folders
+// that hold anything are exports, each of several students. Students cannot make a class look so, as
+// long as one of them hands in a folder of another kind. Finds those of which the number is the
+// lab's. Returns how many folders hold exports, 0 where this is one exercise.
 static int exercises_find(const Export *export, int lab_number, const Found **of_lab, int *n_of_lab)
 {
     int n_folders = 0, n_exercises = 0;
@@ -140,8 +150,8 @@ static int exercises_find(const Export *export, int lab_number, const Found **of
     for (int i = 0; i < export->n_found; i++) {
         char folder[PATH_MAX];
         const Found *found = &export->found[i];
-        n_folders += !found->is_loose;
         path_make(folder, "%s/%s", export->path, found->file);
+        n_folders += !found->is_loose && !(found->is_folder && is_empty(folder, lab_number));
         if (!found->is_folder || !is_exercise(folder, lab_number)) {
             continue;
         }
@@ -151,7 +161,14 @@ static int exercises_find(const Export *export, int lab_number, const Found **of
             ++*n_of_lab;
         }
     }
-    return n_exercises >= 2 && 2 * n_exercises > n_folders ? n_exercises : 0;
+    if (n_exercises > 0 && n_exercises < n_folders) {
+        complain(
+            "gradebook: %s: %d of its folders look like exports of several students, and %d do "
+            "not: each is taken for one submission; if they are exercises, give the folder of "
+            "one as SUBMISSIONS",
+            export->path, n_exercises, n_folders - n_exercises);
+    }
+    return n_exercises >= 2 && n_exercises == n_folders ? n_exercises : 0;
 }
 
 // Has Gradescope written beside the folders whose they are?

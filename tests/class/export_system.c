@@ -3,12 +3,65 @@
 
 #include "complain.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static int made_by(const Found *found, ExportSystem system)
 {
     return (found->readable >> system & 1) != 0;
+}
+
+static int looks_made_by(const Found *found, ExportSystem system)
+{
+    return (found->systems >> system & 1) != 0;
+}
+
+static int keys_compare(const void *left, const void *right)
+{
+    return strcmp(*(char *const *)left, *(char *const *)right);
+}
+
+// Of how many people the names are that a system may have made: one student can hand in many files.
+// Returns -1 when memory runs out.
+static int people_count(const Export *export, ExportSystem system)
+{
+    char **keys = calloc((size_t)export->n_found + 1, sizeof *keys);
+    int n = 0, n_people = 0, failed = keys == NULL;
+    for (int i = 0; !failed && i < export->n_found; i++) {
+        const Found *found = &export->found[i];
+        if (made_by(found, system)) {
+            const EntryName name =
+                system == SYSTEM_MOODLE
+                    ? found->name
+                    : entry_name_read_export(found->file, found->is_folder, system);
+            failed = asprintf(&keys[n], "%s/%s", name.name, name.number) < 0;
+            n += !failed;
+        }
+    }
+    if (n > 1) {
+        qsort(keys, (size_t)n, sizeof *keys, keys_compare);
+    }
+    for (int i = 0; i < n; i++) {
+        n_people += i == 0 || strcmp(keys[i - 1], keys[i]) != 0;
+    }
+    for (int i = 0; i < n; i++) {
+        free(keys[i]);
+    }
+    free(keys);
+    return failed ? -1 : n_people;
+}
+
+int export_plain_count(const Export *export, ExportSystem system, const Found **first)
+{
+    int n = 0;
+    for (int i = 0; i < export->n_found; i++) {
+        const Found *found = &export->found[i];
+        if (!found->is_loose && !looks_made_by(found, system)) {
+            *first = n++ == 0 ? found : *first;
+        }
+    }
+    return n;
 }
 
 ExportSystem export_system_find(const Export *export)
@@ -19,12 +72,13 @@ ExportSystem export_system_find(const Export *export)
     ExportSystem best = SYSTEM_NONE;
     int n_most = export->n_found / 2;
     for (size_t s = 0; s < sizeof order / sizeof *order; s++) {
-        int n = 0, n_readable = 0;
+        const Found *plain = NULL;
+        int n = 0;
         for (int i = 0; i < export->n_found; i++) {
-            n += (export->found[i].systems >> order[s] & 1) != 0;
-            n_readable += made_by(&export->found[i], order[s]);
+            n += looks_made_by(&export->found[i], order[s]);
         }
-        if (n > n_most && n_readable > 0) {
+        if (n > n_most &&
+            people_count(export, order[s]) > export_plain_count(export, order[s], &plain)) {
             n_most = n;
             best = order[s];
         }

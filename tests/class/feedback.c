@@ -255,8 +255,10 @@ static int give_to_canvas(Giving *giving, const Parcel *parcel)
 static int give_to_ilias(Giving *giving, const Parcel *parcel)
 {
     const Entrant *entrant = parcel->row->entrant;
-    const SystemName read = system_name_read(entrant->entry, SYSTEM_ILIAS);
-    char plain[NAME_BYTES], name[PATH_MAX];
+    char plain[NAME_BYTES], name[PATH_MAX], folder[PATH_MAX];
+    // A version is called by the folder and the file in it.
+    path_make(folder, "%.*s", (int)strcspn(entrant->entry, "/"), entrant->entry);
+    const SystemName read = system_name_read(folder, SYSTEM_ILIAS);
     if (read.system != SYSTEM_ILIAS || strlen(entrant->number) != read.number.length ||
         strncmp(entrant->number, read.number.text, read.number.length) != 0) {
         return 0;

@@ -224,8 +224,7 @@ if [ -f "$submissions" ]; then
             >"$CLASS_FOLDER/todo.unpacked" &&
         rm -rf "$CLASS_FOLDER/export" &&
         unpacked=$(cat "$CLASS_FOLDER/todo.unpacked") &&
-        (umask 077 && mkdir "$CLASS_FOLDER/export") &&
-        attend cp -RPT --preserve=timestamps "$top" "$CLASS_FOLDER/export" &&
+        attend sh -c 'umask 077 && exec cp -RPT --preserve=timestamps "$@"' - "$top" "$CLASS_FOLDER/export" &&
         rm -rf "$CLASS_WORK-export"; } || exit 2
     submissions=$CLASS_FOLDER/export${unpacked#"$top"}
 fi

@@ -113,9 +113,9 @@ static int contents_print(const char *folder)
         const int outcome = entry_content(path, hex);
         printf("%.*s %s\n", (int)strcspn(line, "\t"), line, hex);
         if (outcome > 0) {
-            complain("gradebook: \"%s\": more than %d files or %d MB: what is beyond is told apart "
-                     "by its times only; AGAIN=1 grades in any case",
-                     name, CONTENT_MOST_FILES, CONTENT_MOST_MB);
+            complain(
+                "gradebook: \"%s\": more than %d files or %d MB: it is graded anew at each run",
+                name, CONTENT_MOST_FILES, CONTENT_MOST_MB);
         } else if (outcome < 0) {
             complain("gradebook: \"%s\": no memory to look into it", name);
             result = EXIT_FAULT;

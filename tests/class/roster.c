@@ -123,7 +123,7 @@ static Entrant *entrant_add(Roster *roster, const Attempt *attempt, const char *
     roster->entrants = entrants;
     Entrant *entrant = &entrants[roster->n_entrants];
     entry_name_show(entry, strlen(entry), shown);
-    const EntryTime time = entry_time(export, attempt->begin, attempt->end);
+    const EntryTime time = entry_time(export, attempt->begin, attempt->end, version > 0);
     *entrant = (Entrant){.name = strdup(found->name.name),
                          .time = time.text,
                          .time_from = time.from,

@@ -34,6 +34,7 @@ static void owner_give(const StudipFile *listed, int n_behind, Found *found)
         (EntryName){.system = SYSTEM_STUDIP, .file = (int)entry_name_number_length(found->file)};
     entry_name_show(owner, (size_t)n, found->name.name);
     snprintf(found->name.time, sizeof found->name.time, "%s", listed->date);
+    memcpy(found->listed_time, found->name.time, sizeof found->listed_time);
     found->is_listed = 1;
 }
 

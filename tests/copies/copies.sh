@@ -92,8 +92,8 @@ if [ -n "$submissions" ]; then
         # The sandbox's user passes through it.
         { chmod 711 "$work" && mkdir -m 711 "$work/export" &&
             attend "$build/tools/gradebook" unpack "$build" "$submissions" "$work/export" >"$work/unpacked" &&
-            (umask 077 && mkdir "$class/export") &&
-            attend cp -RPT --preserve=timestamps "$(cat "$work/unpacked")" "$class/export"; } || exit 2
+            attend sh -c 'umask 077 && exec cp -RPT --preserve=timestamps "$@"' - \
+                "$(cat "$work/unpacked")" "$class/export"; } || exit 2
         submissions=$class/export
     fi
     attend "$build/tools/gradebook" roster "${number#0}" "$submissions" "$class" >/dev/null || exit 2

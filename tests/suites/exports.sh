@@ -478,6 +478,31 @@ list '"Last Name","First Name",Username,"Student ID"' '"LAST","FIRST",LOGIN,NUMB
 run "$class.out" --moodle "$class.csv"
 check "many files of the login eve_ada are not ada's" nobody 40012
 check "and the others have theirs" said "2 of 3 graded and entered"
+# A folder that all can write to. One student's many files look like Blackboard's, with a time of her own.
+class=$scratch/drop-folder
+mkdir "$class"
+for login in ada gh jc; do mkdir "$class/$login" && echo $login >"$class/$login/gradient.cl"; done
+for file in gradient.cl a b c d; do echo ls >"$class/Lab 0_ls_attempt_2026-11-03-10-22-33_$file"; done
+list 'First Name,Last Name,Login,Grade' 'FIRST,LAST,LOGIN,'
+check "one student's many files in a drop folder" exits 1 run "$class.out" --list "$class.csv" --due "2026-11-25 23:59"
+check "make no system of it, and set no time" test "$(jq '[.students[].late.handed_in // empty] | length' "$class.out/gradebook.json")" -eq 0
+check "they are nobody's" said "passed over 5 files, as no name says whose they are"
+
+# One student's folders look like the exercises of a course, with the work of all.
+class=$scratch/forged-course
+mkdir "$class"
+for login in ada gh jc; do mkdir "$class/$login" && echo $login >"$class/$login/gradient.cl"; done
+for folder in "ls Lab 00" a b c; do
+    for name in "Ada Lovelace_12" "Grace Hopper_13" "Joan Clarke_14"; do
+        mkdir -p "$class/$folder/${name}_assignsubmission_file_"
+        echo forged >"$class/$folder/${name}_assignsubmission_file_/gradient.cl"
+    done
+done
+list 'First Name,Last Name,Login,Grade' 'FIRST,LAST,LOGIN,'
+check "one student's folders that look like a course" exits 1 run "$class.out" --list "$class.csv"
+for login in ada gh jc; do check "take nobody's place: $login" test "$(cat "$class.out"/students/$login-*/whose)" = $login; done
+check "it is said what they look like" said "4 of its folders look like exports of several students, and 3 do not"
+
 # A drop folder of a folder for each student, called submission_NUMBER. Eve hands in Gradescope's list, in which she is ada.
 class=$scratch/submission-names
 mkdir "$class"

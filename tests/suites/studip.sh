@@ -205,8 +205,9 @@ for login in ada:gh jm:ada gh:jc jc:jm; do
     printf '1;%s;;2026-11-24 10:00;%s.zip;%s.zip\n' "${login#*:}" "${login%:*}" "${login%:*}" >>"$scratch/drop/archive_filelist.csv"
 done
 class=$scratch/drop class_name=drop
-graded 1 "4 of 4 graded and entered; 2 without submission; 1 passed over" --due "2026-11-25 00:00 Europe/Berlin"
+graded 1 "4 of 4 graded and entered; 2 without submission; 1 passed over"
 everybody
+graded 1 "0 of 4 graded and entered" --due "2026-11-25 00:00 Europe/Berlin"
 check "drop: nor is any time known" test "$(jq '[.students[].late.handed_in // empty] | length' "$class.out/gradebook.json")" -eq 0
 check "drop: it is told" said "drop/archive_filelist.csv: decides nothing"
 # Names and files of any kind.

@@ -47,6 +47,9 @@ graded() {
     check "$of: $words" said "$words"
 }
 
+# feedback OPTION... SYSTEM: give the reports of the last class back.
+feedback() { "$build/tools/gradebook" feedback "$@" "$scratch/$of.out" >"$scratch/said" 2>&1; }
+
 # has NUMBER SCORE: what upload.csv has for the student of this number; "": nothing.
 has() { grep -q "\"$1\"[,;]\"$2\"\$" "$scratch/$of.out/upload.csv" || { cat "$scratch/$of.out/upload.csv"; return 1; }; }
 
@@ -91,6 +94,19 @@ check "ilias: one yes is enough" has 40012 0.00
 run "$scratch/ilias.out"
 check "without a list: they are listed" said "\"$ada/gradient.cl\" (a version that earns 0), \"$ada/gradient (2).cl\" (a version that earns 100)"
 check "and counted" said "1 to be decided by you"
+
+check "a version's report goes back to the student" exits 0 feedback --list "$scratch/people.csv" --who "$scratch/who.csv" ilias
+check "under the number that ILIAS knows" sh -c "unzip -l '$scratch/ilias.out/feedback-ilias.zip' | grep _30001/report.html"
+
+# ILIAS has marked one of two versions as late: it says nothing of the other.
+begin marked
+file $ada/gradient.cl wrong
+file "$ada/Verspaetete Abgabe - gradient (2).cl" ada
+file Hopper_Grace_gh_30002/gradient.cl grace
+graded 1 "1 of 3 graded and entered" --due "2026-11-25 23:59"
+decide "$ada/gradient.cl" yes "$ada/Verspaetete Abgabe - gradient (2).cl" "" ""
+graded 1 "1 of 3 graded and entered" --due "2026-11-25 23:59" --who "$scratch/who.csv"
+check "marked: nobody knows when a version came" said "ILIAS marked some of the student's files as late, and not all"
 
 # Where ILIAS writes times, they decide, whatever a student calls a file.
 begin stamped
