@@ -177,7 +177,7 @@ check "a list without grades" listed 0
 check "is not filled" said 'found no column "Grade" or "Bewertung" to fill, nor was another named (COLUMN=)'
 check "and nothing goes back, nor is left of an older run" test ! -e "$class.out/upload.csv"
 check "a column by its name" listed 0 --column 'Blatt 3'
-check "takes the points" uploads '"Ada","Lovelace","ada","40012","100.00"'
+check "takes the points" uploads '"Ada";"Lovelace";"ada";"40012";"100.00"'
 check "a column that is none" listed 2 --column 'Blatt 4'
 check "is named" said 'line 1: found no column "Blatt 4"'
 
