@@ -140,8 +140,8 @@ static int is_exercise(const char *folder, int lab_number)
 }
 
 // The folders of several exercises side by side, as a whole course is exported: all of the folders
-// that hold anything are exports, each of several students. Students cannot make a class look so, as
-// long as one of them hands in a folder of another kind. Finds those of which the number is the
+// that hold anything are exports, each of several students. Students cannot make a class look so
+// while one of them hands in a folder of another kind. Finds those of which the number is the
 // lab's. Returns how many folders hold exports, 0 where this is one exercise.
 static int exercises_find(const Export *export, int lab_number, const Found **of_lab, int *n_of_lab)
 {
