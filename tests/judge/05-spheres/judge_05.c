@@ -231,20 +231,69 @@ static u32 count_ahead(const JobScene3D *scene, int pixel)
     return n;
 }
 
-// Why a ray's number of tests is wrong, or NULL.
-static const char *work_looks(const JobScene3D *scene, int pixel, u32 found)
+// What may be wrong with the number of tests, and what each pixel's is then.
+typedef enum WorkMistake {
+    WORK_NONE,
+    WORK_TWICE,
+    WORK_DIFFERENT,
+    WORK_AHEAD,
+    WORK_MORE,
+    WORK_FEWER,
+    N_WORK_MISTAKES
+} WorkMistake;
+
+static int work_is_of(WorkMistake mistake, const JobScene3D *scene, int pixel, u32 found)
 {
     const u32 n = (u32)scene->scene.n_spheres;
-    return found == 0       ? "the calls were not counted in the `work` that was handed in"
-           : found == 2 * n ? "each sphere was asked twice"
-           : found > n      ? "some spheres were asked more than once, or one behind the last: a "
-                              "distance that is needed twice can be kept"
-           : found == count_different(&scene->scene)
-               ? "spheres like the one before were passed over: every sphere is asked"
-           : found == count_ahead(scene, pixel)
-               ? "spheres whose centre is behind the eye were passed over: the eye may be inside, "
-                 "and every sphere is asked"
-               : "some spheres were not asked";
+    switch (mistake) {
+    case WORK_NONE:
+        return found == 0;
+    case WORK_TWICE:
+        return found == 2 * n;
+    case WORK_DIFFERENT:
+        return found == count_different(&scene->scene);
+    case WORK_AHEAD:
+        return found == count_ahead(scene, pixel);
+    case WORK_MORE:
+        return found >= n;
+    default:
+        return found <= n;
+    }
+}
+
+static int explains_work(WorkMistake mistake, const JobScene3D *scene, const Work *work)
+{
+    const int n_pixels = scene->scene.width * scene->scene.height;
+    int pixel = 0;
+    while (pixel < n_pixels && work_is_of(mistake, scene, pixel, work[pixel].n_tests)) {
+        pixel++;
+    }
+    return pixel == n_pixels;
+}
+
+// Why the numbers of tests are wrong, where one mistake explains those of all pixels; or NULL.
+static const char *work_looks(const JobScene3D *scene, int k, const Work *work,
+                              const Sections *answers)
+{
+    int mistake = 0;
+    while (mistake < N_WORK_MISTAKES && !explains_work((WorkMistake)mistake, scene, work)) {
+        mistake++;
+    }
+    const HitAnswer *hits = hits_find(scene, k, answers);
+    const int is_right = hits != NULL && hits_count_wrong(scene, hits) == 0;
+    const char *const says[N_WORK_MISTAKES] = {
+        is_right ? "the hits are right, but their calls were not counted in the `work` that was "
+                   "handed in"
+                 : "no sphere was asked, or not by intersect_sphere with the `work` that was "
+                   "handed in",
+        "each sphere was asked twice",
+        "spheres like the one before were passed over: every sphere is asked",
+        "spheres whose centre is behind the eye were passed over: the eye may be inside, and every "
+        "sphere is asked",
+        "some spheres were asked more than once, or one behind the last: a distance that is needed "
+        "twice can be kept",
+        "some spheres were not asked"};
+    return mistake < N_WORK_MISTAKES ? says[mistake] : NULL;
 }
 
 // Every pixel asks every sphere, once.
@@ -268,7 +317,7 @@ static Verdict judge_work(const void *job, int k, const Sections *answers)
                               "times, but the scene has %d spheres",
                               scene->picture.title, pixel % width, pixel / width, n_tests,
                               scene->scene.n_spheres);
-    return verdict_of(diagnosis_of(wrong, (Cause){.says = work_looks(scene, pixel, n_tests)}));
+    return verdict_of(diagnosis_of(wrong, (Cause){.says = work_looks(scene, k, found, answers)}));
 }
 
 // ---- The judge ----------------------------------------------------------------------------------

@@ -21,7 +21,21 @@ static int lists(const Inputs07 *inputs, KdNode3 leaf, u32 sphere)
     return k < leaf.n_spheres;
 }
 
-ANSWERS(none, 0, "the calls were not counted in the `work` that was handed in")
+// Is a hit found, in whichever leaf? Then spheres were asked, counted or not.
+static int is_any_found(const void *job, const void *answers)
+{
+    const SearchJob *in = ((const Job07 *)job)->inputs.leaves;
+    int i = 0;
+    while (i < N_LEAVES && ((const SearchAnswer *)answers)[i].sphere == in[i].sphere) {
+        i++;
+    }
+    return i < N_LEAVES;
+}
+
+EACH(uncounted, IS_FOUND(0) && is_any_found(job, answers),
+     "hits are found, but their calls were not counted in the `work` that was handed in")
+EACH(unasked, IS_FOUND(0) && !is_any_found(job, answers),
+     "no hit is found, and no sphere was asked: from where to where does the loop run?")
 // A loop from first to before n_spheres.
 ANSWERS(to_count, in->node.first < in->node.n_spheres ? in->node.n_spheres - in->node.first : 0,
         "node.n_spheres was taken for the end of the range: it is how many there are")
@@ -32,7 +46,7 @@ ONLY(not_again,
      found + 1 == in->node.n_spheres && lists(&((const Job07 *)job)->inputs, in->node, in->sphere),
      "the sphere that is hit already was not asked again: the contract is once for each")
 
-static const Known *const known[] = {&none, &to_count, &more, &not_again};
+static const Known *const known[] = {&uncounted, &unasked, &to_count, &more, &not_again};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

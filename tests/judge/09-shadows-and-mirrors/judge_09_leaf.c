@@ -224,15 +224,28 @@ static Blockers blockers_of(const Job09 *of, const BlockJob *in)
 RIGHT(is_early, BLOCKERS.is_unsure || (BLOCKERS.first == N ? IS_FOUND(N)
                                                            : IS_FOUND(BLOCKERS.first + 1) ||
                                                                  IS_FOUND(N - BLOCKERS.last)))
+
+// Does a leaf block, in whichever input? Then spheres were asked, counted or not.
+static int is_any_blocked(const void *answers)
+{
+    int i = 0;
+    while (i < N_BLOCKS && ((const BlockAnswer *)answers)[i].is_blocked == 0) {
+        i++;
+    }
+    return i < N_BLOCKS;
+}
+
 ANSWERS(asks_all, N, "each sphere of the leaf was asked, though one in the way is enough")
-ANSWERS(uncounted, 0,
-        "no call is counted: intersect_sphere counts, or `work` was not passed on to it")
+EACH(uncounted, IS_FOUND(0) && is_any_blocked(answers),
+     "leaves block, but no call is counted: intersect_sphere counts, if `work` is passed on to it")
+EACH(unasked, IS_FOUND(0) && !is_any_blocked(answers),
+     "no leaf blocks, and no sphere was asked: from where to where does the loop run?")
 EACH(one_late, BLOCKERS.is_unsure || IS_FOUND(BLOCKERS.first + 2 < N ? BLOCKERS.first + 2 : N),
      "one sphere more was asked after the one in the way: the search ends at once")
 ONLY(wrong_too, (found.is_blocked != 0) != (BLOCKERS.first < N),
      "the answer is wrong there, too: blocks-before and blocks-edges say more")
 
-static const Known *const early_known[] = {&asks_all, &uncounted, &one_late, &wrong_too};
+static const Known *const early_known[] = {&asks_all, &uncounted, &unasked, &one_late, &wrong_too};
 
 static char *describe_early(const void *job, int i, const void *answers)
 {
@@ -247,4 +260,5 @@ static char *describe_early(const void *job, int i, const void *answers)
 }
 
 const Function block_early_09 = {"blocks", N_BLOCKS, sizeof(BlockAnswer),
-                                 KNOWING(is_early, describe_early, early_known)};
+                                 KNOWING(is_early, describe_early, early_known),
+                                 .knows_constant = 1};

@@ -34,9 +34,14 @@ typedef struct Sent {
     int is_judged;  // does rounding decide nothing on the way?
 } Sent;
 
+static u32 all_sent(const OracleRayCount *expected)
+{
+    return expected->n_traced + expected->n_to_lights;
+}
+
 static u32 most_of(const Sent *sent)
 {
-    return sent->expected.n_traced + sent->expected.n_to_lights;
+    return all_sent(&sent->expected);
 }
 
 static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
@@ -103,34 +108,55 @@ static u32 none(const OracleRayCount *expected)
 static const struct {
     Cause cause;
     MistakenCount *count;
+    OracleMirrorRules rules;  // of the rays that are sent
+    int needs_picture;        // only a right picture tells that rays were sent without `work`
 } mistakes[] = {
-    {{.says = "no ray to a light is counted: lit_color is not asked, or `work` was not passed on "
-              "to it"},
-     only_traced},
-    {{.says = "no ray that is traced is counted: `work` was not passed on to trace"},
-     only_to_lights},
-    {{.says = "no ray is counted: `work` was not passed on, neither to trace nor to lit_color"},
-     none},
-    {{.says = "one ray more is traced where the end is reached, and what it hits adds nothing: "
-              "whether it goes on is asked first"},
-     traced_beyond_end},
-    {{.says = "for every hit all lights are asked twice: lit_color is needed once"}, lit_twice},
+    {.cause.says = "no ray to a light is counted, and the light is there: `work` was not passed on "
+                   "to lit_color",
+     .count = only_traced,
+     .needs_picture = 1},
+    {.cause.says = "no ray that is traced is counted, and what it hits is there: `work` was not "
+                   "passed on to trace",
+     .count = only_to_lights,
+     .needs_picture = 1},
+    {.cause.says = "no ray is counted, and the picture is right: `work` was not passed on, neither "
+                   "to trace nor to lit_color",
+     .count = none,
+     .needs_picture = 1},
+    {.cause.says = "the last rays are not sent: with N mirrors at most N + 1 hits count",
+     .count = all_sent,
+     .rules.more_bounces = -1},
+    {.cause.says = "no ray to a light is counted: lit_color is not called, or not with `work`",
+     .count = only_traced},
+    {.cause.says = "no ray is counted: trace is not called, or not with `work`", .count = none},
+    {.cause.says = "one ray more is traced where the end is reached, and what it hits adds "
+                   "nothing: whether it goes on is asked first",
+     .count = traced_beyond_end},
+    {.cause.says = "for every hit all lights are asked twice: lit_color is needed once",
+     .count = lit_twice},
 };
 
-// The mistake that explains every pixel of the scene, if one does.
-static Cause explain(const MirrorScene *scene, const Work *found)
+// Does a mistake explain how many rays every pixel of the scene sends?
+static int explains(int m, const MirrorScene *scene, const Work *found)
 {
-    static const OracleMirrorRules right = {0};
-    int fits[COUNT(mistakes)] = {1, 1, 1, 1, 1};
-    for (int pixel = 0; pixel < scene->base.scene.width * scene->base.scene.height; pixel++) {
-        const Sent sent = sent_at(scene, pixel, found, &right);
-        for (int m = 0; m < COUNT(mistakes) && sent.is_judged; m++) {
-            fits[m] &=
-                sent.expected.n_unsure > 0 || sent.found == mistakes[m].count(&sent.expected);
-        }
+    const int n_pixels = scene->base.scene.width * scene->base.scene.height;
+    int pixel = 0, fits = 1;
+    while (fits && pixel < n_pixels) {
+        const Sent sent = sent_at(scene, pixel++, found, &mistakes[m].rules);
+        fits = !sent.is_judged || sent.expected.n_unsure > 0 ||
+               sent.found == mistakes[m].count(&sent.expected);
     }
+    return fits;
+}
+
+static Cause explain(const void *job, int k, const Sections *answers)
+{
+    const MirrorScene *scene = &((const Job09 *)job)->scenes[k];
+    const Work *found = job_work_find(&scene->base.picture, k, answers);
+    const int is_picture = verdict_passes(judge_picture(job, k, answers));
     int m = 0;
-    while (m < COUNT(mistakes) && !fits[m]) {
+    while (m < COUNT(mistakes) &&
+           !((is_picture || !mistakes[m].needs_picture) && explains(m, scene, found))) {
         m++;
     }
     return m < COUNT(mistakes) ? mistakes[m].cause : (Cause){0};
@@ -138,9 +164,11 @@ static Cause explain(const MirrorScene *scene, const Work *found)
 
 // ---- Judging ------------------------------------------------------------------------------------
 
-static Diagnosis judge_scene(const MirrorScene *scene, const Work *found)
+static Diagnosis judge_scene(const void *job, int k, const Sections *answers)
 {
     static const OracleMirrorRules right = {0};
+    const MirrorScene *scene = &((const Job09 *)job)->scenes[k];
+    const Work *found = job_work_find(&scene->base.picture, k, answers);
     const int width = scene->base.scene.width, n_pixels = width * scene->base.scene.height;
     int n_wrong = 0, first_pixel = 0;
     Sent first = {0};
@@ -163,22 +191,23 @@ static Diagnosis judge_scene(const MirrorScene *scene, const Work *found)
             title, x, y, first.found, plural(first.found), least_of(&first),
             first.expected.n_traced, first.expected.n_traced == 1 ? "is" : "are",
             first.expected.n_needed > 0 ? " and one to a light" : "", n_wrong, n_pixels);
-        return diagnosis_of(few, explain(scene, found));
+        return diagnosis_of(few, explain(job, k, answers));
     }
     char *wrong = message_new(
         "%s: pixel (%d, %d): found %u rays sent, expected at most %u: %u that %s traced and %u to "
         "lights (%d of %d pixels send more than they need)",
         title, x, y, first.found, most_of(&first), first.expected.n_traced,
         first.expected.n_traced == 1 ? "is" : "are", first.expected.n_to_lights, n_wrong, n_pixels);
-    return diagnosis_of(wrong, explain(scene, found));
+    return diagnosis_of(wrong, explain(job, k, answers));
 }
 
 Verdict judge_sent_09(const void *pointer, int i, const Sections *answers)
 {
     const int k = sent_scenes[i];
     const MirrorScene *scene = &((const Job09 *)pointer)->scenes[k];
-    const Work *found = job_work_find(&scene->base.picture, k, answers);
-    return found == NULL ? verdict_missing : verdict_of(judge_scene(scene, found));
+    return job_work_find(&scene->base.picture, k, answers) == NULL
+               ? verdict_missing
+               : verdict_of(judge_scene(pointer, k, answers));
 }
 
 int sent_alone_09(const void *pointer, int i, const Sections *answers)

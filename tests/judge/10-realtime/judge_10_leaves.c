@@ -129,9 +129,9 @@ const Function tile_leaf_10 = {"tile_leaves", N_CIRCLE_TILES, sizeof(TileLeafAns
 #define IS_FOUND(expected) (found.n_steps == (expected))
 
 RIGHT(is_steps, IS_FOUND(WAY.n_steps))
-ANSWERS(hidden, 0,
-        "no step is counted: is_inner() says whether a node has children, and counts; or `work` "
-        "was not passed on")
+EACH(hidden, IS_FOUND(0) && found.leaf == WAY.leaf,
+     "the way is right, but no step is counted: is_inner() says whether a node has children, and "
+     "counts; or `work` was not passed on")
 ANSWERS(twice, 2 * WAY.n_steps, "each step is counted twice: ask is_inner() once for each node")
 ANSWERS(and_leaf, WAY.n_steps + 1,
         "the leaf is counted, too: a step is one from a node to its child")

@@ -278,7 +278,8 @@ static OracleNear follow(const Scene3D *scene, Followed *followed, int max_bounc
     const int most = is_limited ? rules->most_bounces : max_bounces + rules->more_bounces;
     const double least_weight =
         rules->least_weight > 0 ? rules->least_weight : (double)ORACLE_LEAST_WEIGHT;
-    for (;;) {
+    // A loop that ends one mirror too early traces not even the first ray where none is allowed.
+    while (most >= 0) {
         followed->count.n_traced++;
         const OracleHit hit =
             oracle3d_nearest(scene->spheres, (u32)scene->n_spheres, &followed->ray, &right);
@@ -319,6 +320,7 @@ static OracleNear follow(const Scene3D *scene, Followed *followed, int max_bounc
             return ambiguous();
         }
     }
+    return followed->color;
 }
 
 OracleNear oracle3d_follow(const Scene3D *scene, OracleRay ray, int max_bounces,

@@ -1,7 +1,7 @@
 // mutant: a Work of its own for lit_color
 // task: ray_color
 // caught by: color-rays
-// says: passed on to it
+// says: passed on to lit_color
     float weight = 1.0f;
     Work own = {0, 0, 0, 0};
     for (int bounce = 0;; bounce++) {
