@@ -85,9 +85,8 @@ typedef struct ProbeStep {
     const char *where;   // "in split_box", "while kdtree2d_build built a whole tree"
     const char *task;    // whose answer is all that runs there; NULL where several do
     size_t input_bytes;  // of one input; 0 for scenes
-    // The words of one input, or of a step's number where it has no inputs. NULL on the device,
-    // where the words are those in which a check tells a wrong answer to the input, and for scenes,
-    // which have titles.
+    // The words of one input. NULL on the device, where the words are those in which a check tells
+    // a wrong answer to the input, and for scenes, which have titles.
     void (*describe)(const void *input, char *words, size_t n_bytes);
     // What a crash with this input comes from, where the input itself tells; else NULL.
     const char *(*suspect)(const void *input);

@@ -98,8 +98,6 @@ JobPlace job_place(const Job *job, const Sections *written, const char *name, ui
     }
     if (place.step->input_bytes > 0) {
         describe_input(job, place.step, written, number, &place);
-    } else if (place.step->describe != NULL) {
-        place.step->describe(&number, place.with, sizeof place.with);
     } else {
         describe_scene(written, number, &place);
     }

@@ -84,20 +84,15 @@ static inline void answer_spheres(Writer *writer, const Sections *job, const cha
     free(out);
 }
 
-static inline void answer_levels(Writer *writer, const Sections *job)
+static inline void answer_levels(Writer *writer, const Sections *job, const char *name)
 {
     size_t n;
-    const u32 *highest = asked(job, "todo", sizeof *highest, &n);
-    const i32 *levels = asked(job, "replay.todo", sizeof *levels, &n);
-    i32 *out = calloc(n + *highest, sizeof *out);
-    for (u32 level = 1; level <= *highest; level++) {
-        out[level - 1] = fits_todo((int)level);
-    }
-    answer(writer, "todo", out, *highest * sizeof *out);
+    const i32 *levels = asked(job, name, sizeof *levels, &n);
+    i32 *out = calloc(n + 1, sizeof *out);
     for (size_t i = 0; i < n; i++) {
         out[i] = fits_todo(levels[i]);
     }
-    answer(writer, "replay.todo", out, n * sizeof *out);
+    answer(writer, name, out, n * sizeof *out);
     free(out);
 }
 
@@ -234,7 +229,8 @@ static inline Sections right_answers_to(const Sections *job, int is_3d)
     } else if (asked(job, "replay.leaves", 1, &n)) {
         answer_packed(&writer, job, is_3d);
     } else {
-        answer_levels(&writer, job);
+        answer_levels(&writer, job, "todo");
+        answer_levels(&writer, job, "replay.todo");
     }
     return writer_close(&writer);
 }

@@ -60,11 +60,14 @@ static void answer_leaves_3d(Writer *writer, const Sections *job)
     answer(writer, "pack", packed, n * sizeof *packed);
     free(packed);
 
-    i32 todo[TODO_LEVELS];
-    for (int level = 1; level <= TODO_LEVELS; level++) {
-        todo[level - 1] = fits_todo(level);
+    const i32 *levels = sections_find_any(job, "todo", &n_bytes);
+    n = n_bytes / sizeof *levels;
+    i32 *todo = calloc(n, sizeof *todo);
+    for (size_t i = 0; i < n; i++) {
+        todo[i] = fits_todo(levels[i]);
     }
-    answer(writer, "todo", todo, sizeof todo);
+    answer(writer, "todo", todo, n * sizeof *todo);
+    free(todo);
 }
 
 typedef int Build(const Sphere *h_spheres, u32 n_spheres, KdTreeLimits limits, KdTree3D *tree);

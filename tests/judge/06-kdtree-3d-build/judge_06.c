@@ -83,7 +83,7 @@ static const JudgeCheck checks[] = {
     {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", "*", .tree = judge_tree,
      .tree3d = tree3d_judge_packing, .range = {0, JUST_FITS + 1}, .alone_scene = packs_alone_06},
 
-    {"fits-levels", "Level by level", "fits_todo", .function = &fits_06, .range = {0, TODO_LEVELS}},
+    {"fits-levels", "Level by level", "fits_todo", .function = &fits_06, .range = {0, N_LEVELS}},
     {"tree-depth", "Whole trees: too deep ones are refused, others built", "fits_todo", "*",
      .tree = judge_tree, .tree3d = judge_depth, .range = {JUST_FITS, 2}, .alone = levels_alone_06},
 };
@@ -92,7 +92,7 @@ static const JobPart parts[] = {
     PART("splits", "choose_split", Job06, splits),
     PART("overlaps", "sphere_overlaps_box", Job06, overlaps),
     PART("pack", "pack_leaf_range", Job06, packs),
-    PART("todo", NULL, Job06, highest_level),
+    PART("todo", "fits_todo", Job06, levels),
 };
 
 static void describe_sphere_and_box(const void *input, char *words, size_t n_bytes)
@@ -110,20 +110,16 @@ static void describe_pack(const void *input, char *words, size_t n_bytes)
     snprintf(words, n_bytes, "leaf with %u spheres, %u ids before it", in->n_ids, in->n_before);
 }
 
-// fits_todo is called with numbers.
-static void describe_level(const void *number, char *words, size_t n_bytes)
+static void describe_level(const void *input, char *words, size_t n_bytes)
 {
-    const u32 level = *(const u32 *)number;
-    if (level >= 1 && level <= TODO_LEVELS) {
-        snprintf(words, n_bytes, "level %u", level);
-    }
+    snprintf(words, n_bytes, "level %d", *(const i32 *)input);
 }
 
 static const ProbeStep steps[] = {
     ON_HOST("splits", "choose_split", BBox3D, tree3d_describe_box),
     ON_HOST("overlaps", "sphere_overlaps_box", SphereBoxJob, describe_sphere_and_box),
     ON_HOST("pack", "pack_leaf_range", PackJob, describe_pack),
-    {"todo", "in fits_todo", "fits_todo", 0, describe_level, NULL},
+    ON_HOST("todo", "fits_todo", i32, describe_level),
     ON_SCENES("tree", "while kdtree3d_build built a whole tree", NULL),
 };
 

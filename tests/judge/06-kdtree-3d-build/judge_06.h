@@ -14,6 +14,10 @@ enum { N_SPLITS = 489, N_PACKS = 66 };
 enum { N_INSIDE = 1010, N_TOUCHING = 607, N_CORNER = 607 };
 enum { N_OVERLAPS = N_INSIDE + N_TOUCHING + N_CORNER };
 
+// Levels: each from 1 to N_LEVELS_IN_ORDER, then those around powers of two, then any.
+enum { N_LEVELS_IN_ORDER = 1100, N_POWERS = 15, N_AROUND = 5, N_ANY_LEVELS = 25 };
+enum { N_LEVELS = N_LEVELS_IN_ORDER + N_POWERS * N_AROUND + N_ANY_LEVELS };
+
 // Scenes: those whose trees are judged in all respects, then two about the todo stack: one whose
 // tree just fits it, and one that must be refused.
 enum { N_TREES = 10, JUST_FITS = N_TREES, TOO_DEEP, N_SCENES };
@@ -23,7 +27,7 @@ typedef struct Job06 {
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
     PackJob packs[N_PACKS];
-    u32 highest_level;  // TODO_LEVELS
+    i32 levels[N_LEVELS];
     TreeScene3D scenes[N_SCENES];
     Growth too_deep;  // the tree that must be refused, as it would be
 } Job06;

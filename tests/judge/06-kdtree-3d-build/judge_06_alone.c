@@ -111,11 +111,8 @@ static int write_level_calls(const Job06 *job, FILE *file)
 {
     size_t n;
     i32 *levels = list_levels(job, &n);
-    const u32 highest = job->highest_level;
-    const int result = levels == NULL
-                           ? -1
-                           : section_write(file, "replay.todo", levels, n * sizeof *levels) |
-                                 section_write(file, "todo", &highest, sizeof highest);
+    const int result =
+        levels == NULL ? -1 : section_write(file, "replay.todo", levels, n * sizeof *levels);
     free(levels);
     return result;
 }

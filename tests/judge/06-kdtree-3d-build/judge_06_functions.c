@@ -186,11 +186,64 @@ const Function overlap_06 = {
 // ---- fits_todo ----------------------------------------------------------------------------------
 
 #define GIVEN                                                                                      \
-    const int in = i + 1;                                                                          \
-    const int found = ((const i32 *)answers)[i];                                                   \
-    (void)job
+    const i32 in = ((const Job06 *)job)->levels[i];                                                \
+    const int found = ((const i32 *)answers)[i]
+#define IS_FOUND(expected) ((found != 0) == (expected))
 
-RIGHT(is_right_level, (found != 0) == (in <= TODO_SIZE))
+RIGHT(is_right_level, IS_FOUND(in <= TODO_SIZE))
+
+// Is every level up to `last` allowed, and no other? Then the limit was taken for another number.
+static int is_limit(const void *job, const void *answers, i32 last)
+{
+    int i = 0;
+    for (int fits = 1; fits && i < N_LEVELS; i += fits) {
+        GIVEN;
+        fits = IS_FOUND(in <= last);
+    }
+    return i == N_LEVELS;
+}
+
+// Of the levels in order the last one that is allowed; 0 for none.
+static i32 last_allowed(const void *answers)
+{
+    i32 level = N_LEVELS_IN_ORDER;
+    while (level > 0 && ((const i32 *)answers)[level - 1] == 0) {
+        level--;
+    }
+    return level;
+}
+
+#define LAST last_allowed(answers)
+ANSWERS(one_short, in <= TODO_SIZE - 1,
+        "the last place of the stack is never used: a split on level N lets N nodes wait, and as "
+        "many as there are places fit")
+ANSWERS(one_too_many, in <= TODO_SIZE + 1,
+        "that is one level too many: a split on level N lets N nodes wait, not N - 1")
+ANSWERS(half, in <= TODO_SIZE / 2, "only one node waits for each split, not two")
+ANSWERS(nodes_of_level, in <= 5,
+        "a level's nodes were counted: of all of them only one waits for each split on the way")
+ANSWERS(inverted, in > TODO_SIZE, "1 and 0 are swapped: 1 allows the split")
+ANSWERS(always, 1, "every split is allowed: the stack has TODO_SIZE places")
+ANSWERS(never, 0, "no split is allowed: the stack has TODO_SIZE places")
+ANSWERS(only_last, in == TODO_SIZE,
+        "each level up to the last that fits is allowed, not that alone")
+#define LEVEL_CUT                                                                                  \
+    "the level was cut to 8 or 16 bits: it is an int, and any level beyond TODO_SIZE is too deep"
+ANSWERS(cut_u8, (uint8_t)in <= TODO_SIZE, LEVEL_CUT)
+ANSWERS(cut_i8, (int8_t)in <= TODO_SIZE, LEVEL_CUT)
+ANSWERS(cut_u16, (uint16_t)in <= TODO_SIZE, LEVEL_CUT)
+ANSWERS(cut_i16, (int16_t)in <= TODO_SIZE, LEVEL_CUT)
+// Of which of the others it is.
+ONLY(other_limit, LAST != TODO_SIZE && is_limit(job, answers, LAST),
+     "levels are compared with another number than TODO_SIZE")
+ONLY(too_few, in <= TODO_SIZE, "levels are refused though as many nodes as they let wait fit")
+ONLY(far_beyond, in > TODO_SIZE,
+     "only levels beyond TODO_SIZE are wrong: all of them are too deep, however large the number")
+
+static const Known *const known_of_levels[] = {
+    &one_short, &one_too_many, &half,           &inverted, &always,
+    &never,     &only_last,    &nodes_of_level, &cut_u8,   &cut_i8,
+    &cut_u16,   &cut_i16,      &other_limit,    &too_few,  &far_beyond};
 
 static char *describe_level(const void *job, int i, const void *answers)
 {
@@ -201,8 +254,8 @@ static char *describe_level(const void *job, int i, const void *answers)
 }
 
 const Function fits_06 = {"todo",
-                          TODO_LEVELS,
+                          N_LEVELS,
                           sizeof(i32),
-                          .is_right = is_right_level,
-                          .describe = describe_level,
-                          .counted = "levels"};
+                          KNOWING(is_right_level, describe_level, known_of_levels),
+                          .counted = "levels",
+                          .knows_constant = 1};

@@ -212,6 +212,18 @@ static SphereBoxJob roll_corner(Random *random, int i)
     return (SphereBoxJob){sphere_at(centre, radius), box};
 }
 
+// No level may be refused or allowed by chance: all that a tree could have, and of the larger ones
+// those that look like small ones to who keeps 8 or 16 bits, or reads them as bits. Twice the largest
+// is an int, too.
+static i32 roll_level(Random *random, int i)
+{
+    static const i32 around[N_AROUND] = {-1, 0, 1, TODO_SIZE, TODO_SIZE + 1};
+    const int j = i - N_LEVELS_IN_ORDER, power = 10 + j / N_AROUND;
+    return j < 0                     ? i + 1
+           : j < N_POWERS * N_AROUND ? (i32)(1u << power) + around[j % N_AROUND]
+                                     : (i32)random_integer(random, TODO_SIZE + 1, 1 << 24);
+}
+
 static void roll_inputs(Random *random, Job06 *job)
 {
     for (int i = 0; i < N_SPLITS; i++) {
@@ -226,7 +238,9 @@ static void roll_inputs(Random *random, Job06 *job)
     for (int i = 0; i < N_PACKS; i++) {
         job->packs[i] = pack_roll(random, edge_of(i, N_PACKS, N_PACK_EDGES), 0);
     }
-    job->highest_level = TODO_LEVELS;
+    for (int i = 0; i < N_LEVELS; i++) {
+        job->levels[i] = roll_level(random, i);
+    }
 }
 
 // ---- Scenes -------------------------------------------------------------------------------------

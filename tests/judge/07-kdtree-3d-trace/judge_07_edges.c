@@ -91,6 +91,12 @@ static const struct {
     {PLANES_AHEAD, 0x1.ffff8p+0f, 0, -1, 2, 4},
     {PLANES_AHEAD, 0x1.00008p+1f, 0, 4, 2, 4},
     {PLANES_AHEAD, 0x1.f3fffep+9f, 0, 1, 1000, 1001},
+    // Far from the scene's origin. The difference is exact, and so is t_split; of products that are
+    // subtracted more is lost than the part's ends lie apart, also where the compiler fuses one.
+    {PLANES_AHEAD, 75, 81917.625f, -1200, 0, 76},
+    {PLANES_AHEAD, 468.75f, 104182.5625f, 1500, 470, 1000},
+    {PLANES_AHEAD, 325, -82009.3125f, 1300, 324, 1000},
+    {PLANES_AHEAD, 893.75f, 76867.3125f, -1100, 0, 892.5f},
     // Just ahead of the eye, in the part or before it; just behind the eye.
     {PLANES_BEHIND, 0x1p-20f, 0, 1, 0, 4},
     {PLANES_BEHIND, SMALLER, 0, -4, 0, 4},

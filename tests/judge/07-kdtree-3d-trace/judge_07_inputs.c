@@ -214,12 +214,14 @@ static PlaneJob roll_plane(Random *random, enum PlaneRange range)
         direction = roll_sign(random) * 0.25f;
         t = job.t_min > 0 && one_in(random, 2) ? job.t_min : job.t_max;
     }
-    job.inverse = 1 / direction;
     if (range == PLANES_BEHIND && !one_in(random, 4)) {
         t = one_in(random, 3) ? 0 : -random_number(random, 0.125, 6);
-        // The eye on the plane is in the node, or the node is ahead of it.
+        // The eye on the plane is in the node, or the node is ahead of it. Times a power of two
+        // nothing is rounded, whether the compiler fuses a product with a difference or not.
         job.t_min = one_in(random, 2) ? 0 : job.t_min;
+        direction = t == 0 ? roll_sign(random) * 0.25f : direction;
     }
+    job.inverse = 1 / direction;
     job.node = roll_node(random, job.origin + t * direction);
     if (range == PLANES_ALONG && !one_in(random, 4)) {
         job.inverse = roll_sign(random) * INFINITY;

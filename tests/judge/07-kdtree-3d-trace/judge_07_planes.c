@@ -36,11 +36,19 @@ static double t_of(const PlaneJob *in)
     return t_from(in, in->origin);
 }
 
-// Where a right solution's t_split may be, or one that computes it in another way.
+// Is the eye so far from the scene's origin that products which are subtracted lose their digits?
+static int is_far(const PlaneJob *in)
+{
+    return fabsf(in->origin) > 1000;
+}
+
+// Where a right solution's t_split may be, or one that computes it in another way. Far from the
+// scene's origin only who subtracts first is right: no error is larger than a share of t_split.
 static Span span_about(const PlaneJob *in, double t)
 {
     const double size = fabs((double)in->node.split_pos) + fabs((double)in->origin);
-    const double error = is_exact_plane(in) ? 0 : PLANE_ERROR * size * fabs((double)in->inverse);
+    const double about = is_far(in) ? fabs(t) : size * fabs((double)in->inverse);
+    const double error = is_exact_plane(in) ? 0 : PLANE_ERROR * about;
     return (Span){t - error, t + error};
 }
 
@@ -156,6 +164,10 @@ ANSWERS(at_t_max, children_but(in, is_exact_plane(in) && t_of(in) == in->t_max, 
 ANSWERS(along_both, children_but(in, isnan(t_of(in)), BOTH_BIT), NEVER_MET)
 ANSWERS(along_far, children_but(in, isnan(t_of(in)), FAR_BIT), NEVER_MET)
 
+ONLY(lost_afar, is_far(in),
+     "only planes far from the scene's origin are wrong: products that are subtracted lose their "
+     "digits there; subtract the eye first, and multiply the difference")
+
 // In one place only: along the plane, or near a border, of an epsilon whose size is not known.
 ONLY(infinite_both, isinf(in->inverse) && (found.children == PLANE_BOTH || isnan(t_of(in))),
      "BOTH with an infinite t_split: a ray along the plane never meets it, that is ONLY_NEAR")
@@ -217,7 +229,7 @@ static const Known *const known[] = {
     &beyond_both, &crossed_both, &crossed_near, &inside_near,    &inside_far, &at_t_min,
     &at_t_max,    &along_both,   &along_far,    &infinite_both,  &along_met,  &small_is_along,
     &hair_ahead,  &hair_behind,  &hair_t_min,   &hair_t_max,     &hair_wider, &backwards,
-    &divided,     &from_zero,    &moved,        &always_both};
+    &divided,     &from_zero,    &moved,        &always_both,    &lost_afar};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -30,8 +30,7 @@ typedef struct PackAnswer3D {
 } PackAnswer3D;
 LAYOUT_ASSERT(PackAnswer3D, 1496);
 
-// Section "todo": a u32, TODO_LEVELS. fits_todo is called with every level from 1 to this. Answered
-// by an i32 each.
-#define TODO_LEVELS (2 * TODO_SIZE)
+// Section "todo", and "replay.todo": levels, an i32 each. fits_todo is called with each; answered by
+// an i32.
 
 #endif

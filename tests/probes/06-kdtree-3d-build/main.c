@@ -63,19 +63,6 @@ static void call_fits_todo(const Probe *probe, const void *input, void *answer)
     *(i32 *)answer = fits_todo(*(const i32 *)input);
 }
 
-// Every level up to the highest that the job names.
-static void answer_fits_todo(const Probe *probe, const char *name)
-{
-    size_t n_bytes;
-    const u32 highest = *(const u32 *)probe_job(probe, name, &n_bytes);
-    i32 *answers = calloc(highest, sizeof *answers);
-    for (u32 level = 1; level <= highest; level++) {
-        probe_note(probe, name, level);
-        answers[level - 1] = fits_todo((int)level);
-    }
-    probe_answer_array(probe, name, answers, highest * sizeof *answers);
-}
-
 // ---- Replays ------------------------------------------------------------------------------------
 
 // Pack all leaves of scene K, the first of which is leaves[0], into a tree.
@@ -117,7 +104,7 @@ int main(void)
         {"splits", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
         {"overlaps", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
         {"pack", sizeof(PackJob), sizeof(PackAnswer3D), .call = call_pack_leaf_range},
-        {"todo", .answer = answer_fits_todo},
+        {"todo", sizeof(i32), sizeof(i32), .call = call_fits_todo},
         {"replay.split", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
         {"replay.overlap", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
         {"replay.leaves", .answer = replay_pack_leaf},
