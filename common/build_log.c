@@ -58,10 +58,14 @@ static void text_print(FILE *out, const char *text)
     fprintf(out, "%s\n", text);
 }
 
-// What to write instead, for two mistakes with OpenCL's functions whose messages do not say so.
+// What to write instead, for mistakes whose messages do not say so.
 static void advice_print(FILE *out, const char *text)
 {
-    if (strncmp(text, "call to '", 9) == 0 && strstr(text, "' is ambiguous") != NULL) {
+    if (strstr(text, " changes address space of pointer") != NULL) {
+        fprintf(out, "note: a pointer's type names the memory that it points into: `global` for "
+                     "the arrays that a kernel gets, nothing for a variable of your own. Both "
+                     "types must name the same one; or copy the element into a variable\n");
+    } else if (strncmp(text, "call to '", 9) == 0 && strstr(text, "' is ambiguous") != NULL) {
         fprintf(out, "note: its arguments are of different types: for a float write 0.0f, not 0\n");
     } else if (strncmp(text, "no matching function for call to '", 34) == 0) {
         fprintf(out, "note: count its arguments, and look at their types: max() has two, so that "

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { MOST_BYTES = 64 * 1024, STOP_MS = 3000 };
@@ -84,6 +85,16 @@ void child_read(Child *child)
         child->said_bytes += taken;
         child->said[child->said_bytes] = '\0';
     }
+}
+
+double child_seconds(const Child *child)
+{
+    clockid_t clock;
+    struct timespec used = {0};
+    if (child->pid != 0 && clock_getcpuclockid(child->pid, &clock) == 0) {
+        clock_gettime(clock, &used);
+    }
+    return (double)used.tv_sec + (double)used.tv_nsec / 1e9;
 }
 
 int child_has_ended(Child *child, int *status)

@@ -26,6 +26,9 @@ int child_start(Child *child, char *const words[], ChildOutput output);
 // kept.
 void child_read(Child *child);
 
+// The processor time that it has used so far, on all its threads, in seconds.
+double child_seconds(const Child *child);
+
 // Has it ended? Returns 1 and its exit status (128 and more: by a signal), or 0. Its output is read
 // to the end then.
 int child_has_ended(Child *child, int *status);

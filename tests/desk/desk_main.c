@@ -1,6 +1,7 @@
 // desk: what a student asks for beside the grader.
 //
-//     desk note --lab 03       note the last grading in progress.json; say how a pixel is followed
+//     desk note --lab 03       note the last grading in progress.json; say where its faults are, and
+//                              how a pixel is followed
 //     desk hint --lab 03       one more hint for the first fault of the last grading
 //     desk progress            labs and tasks with points, and what is next
 //     desk watch --lab 03      after every save compile, draw and grade
@@ -55,7 +56,7 @@ static int print_help(void)
     return standard_output_check() == 0 ? 0 : EXIT_FAULT;
 }
 
-// Note what was reached. If a picture is wrong, say how to follow a pixel. The message names a
+// Note what was reached, and say where the faults are. If a picture is wrong, say how to follow a pixel. The message names a
 // pixel of a hidden scene. To find a wrong one of the open scene, the program in labs/ would have
 // to run, and its code may be somebody else's. Returns 0, or -1 after one message.
 static int note(const Desk *desk)
@@ -64,6 +65,7 @@ static int note(const Desk *desk)
     path_make(path, "%s/grade/%.2s/results.json", desk->build, desk->lab->lab);
     json_t *results = results_load(path);
     const int noted = results != NULL ? record_note(results) : -1;
+    tell_places(desk->lab, results);
     if (fault_is_in_picture(results_first_fault(results)) && look_can_be_followed(desk)) {
         printf("See why: make pixel LAB=%.2s AT=x,y with a wrong pixel of the lab's first scene, "
                "which make watch LAB=%.2s finds\n",

@@ -3,7 +3,9 @@
 
 #include "message.h"
 #include "path.h"
+#include "stats.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -20,6 +22,7 @@ void look_open(const Desk *desk, Look *look)
     *look = (Look){.desk = desk};
     path_make(look->folder, "%s/watch", desk->build);
     path_make(look->picture, "%s/picture.png", look->folder);
+    path_make(look->drawn, "%s/drawn.png", look->folder);
     mkdir(look->folder, 0777);
     if (desk->lab->figure == NULL || desk->options != NULL) {
         return;
@@ -69,33 +72,50 @@ int look_start_drawing(const Look *look, Child *child)
         words[n++] = word;
     }
     words[n++] = "--output";
-    words[n++] = (char *)look->picture;
+    words[n++] = (char *)look->drawn;
     if (look->desk->device != NULL) {
         words[n++] = "--device";
         words[n++] = (char *)look->desk->device;
     }
-    unlink(look->picture);
+    unlink(look->drawn);
     const int started = child_start(child, words, CHILD_IS_READ);
     free(options);
     return started;
+}
+
+#define TEXT(number) #number
+#define TEXT_OF(number) TEXT(number)
+
+const char *look_is_late(const Child *child)
+{
+    return child_seconds(child) > LOOK_MOST_SECONDS
+               ? "drawing had no end in " TEXT_OF(
+                     LOOK_MOST_SECONDS) " s of processor time: does a loop never end?"
+           : stats_clock_ms() - child->start_ms > 1000.0 * LOOK_MOST_WAIT_SECONDS
+               ? "drawing had not ended after " TEXT_OF(LOOK_MOST_WAIT_SECONDS) " s"
+               : NULL;
 }
 
 void look_compare(Look *look)
 {
     char path[PATH_MAX];
     Image own = {0}, difference = {0};
-    look->has_figure = 0;
-    look->has_picture = access(look->picture, R_OK) == 0 && image_load(look->picture, &own) == 0;
-    if (look->has_picture && look->figure.pixels != NULL) {
+    look->is_older = access(look->drawn, R_OK) != 0 || image_load(look->drawn, &own) != 0 ||
+                     rename(look->drawn, look->picture) != 0;
+    if (!look->is_older) {
+        look->has_picture = 1;
+        look->is_compared = 0;
+    }
+    if (!look->is_older && look->figure.pixels != NULL) {
         ImageDifference *found = &look->difference;
         *found = image_compare(&own, &look->figure, TOLERANCE);
         if (found->n_different <= EXCEPTIONS_PER_PIXEL * own.width * own.height) {
             found->n_different = 0;
         }
         path_make(path, "%s/difference.png", look->folder);
-        look->has_figure = found->same_size &&
-                           image_difference_picture(&own, &look->figure, &difference) == 0 &&
-                           image_save(&difference, path) == 0;
+        look->is_compared = found->same_size &&
+                            image_difference_picture(&own, &look->figure, &difference) == 0 &&
+                            image_save(&difference, path) == 0;
     }
     image_free(&own);
     image_free(&difference);
@@ -111,7 +131,7 @@ int look_can_be_followed(const Desk *desk)
 char *look_command(const Look *look)
 {
     const char *lab = look->desk->lab->lab;
-    if (!look->has_picture || !look->has_figure || look->difference.n_different == 0 ||
+    if (look->is_older || !look->is_compared || look->difference.n_different == 0 ||
         !look_can_be_followed(look->desk)) {
         return NULL;
     }

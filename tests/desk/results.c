@@ -43,9 +43,38 @@ const json_t *results_first_fault(const json_t *results)
     return NULL;
 }
 
+const json_t *results_task_fault(const json_t *results, const char *task)
+{
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(results, "checks"), i, check)
+    {
+        if (strcmp(text_of(check, "task"), task) == 0 && !fault_is_unanswered(check) &&
+            strcmp(text_of(check, "status"), "failed") == 0) {
+            return check;
+        }
+    }
+    return NULL;
+}
+
 int fault_is_unanswered(const json_t *check)
 {
     return strcmp(text_of(check, "silent"), silence_name(SILENCE_UNANSWERED)) == 0;
+}
+
+const char *fault_sentence(const json_t *results, const json_t *check)
+{
+    const int has_ended = strcmp(text_of(check, "silent"), silence_name(SILENCE_ENDED)) == 0;
+    const char *cause = text_of(check, "cause"), *end = "";
+    size_t i;
+    json_t *stage;
+    json_array_foreach(json_object_get(results, "stages"), i, stage)
+    {
+        if (has_ended && strcmp(text_of(stage, "title"), "Running") == 0) {
+            end = text_of(stage, "message");
+        }
+    }
+    return cause[0] != '\0' ? cause : end[0] != '\0' ? end : text_of(check, "message");
 }
 
 int fault_is_in_picture(const json_t *check)

@@ -14,8 +14,15 @@ int number_of(const json_t *object, const char *field);
 // The first check in the order of work that has not passed, or NULL: there is none.
 const json_t *results_first_fault(const json_t *results);
 
+// The first check of a task that failed although the task is answered, or NULL.
+const json_t *results_task_fault(const json_t *results, const char *task);
+
 // Is it a check of a task that stands as it was handed out?
 int fault_is_unanswered(const json_t *check);
+
+// What is wrong there: the mistake where it is named, else how the program ended where that is why
+// there is no answer, else what was found. May be of several lines.
+const char *fault_sentence(const json_t *results, const json_t *check);
 
 // Was it seen in the pixels of a picture?
 int fault_is_in_picture(const json_t *check);

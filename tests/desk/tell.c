@@ -1,12 +1,18 @@
 // Hints and progress (see tell.h).
 #include "tell.h"
 
+#include "holes.h"
+#include "path.h"
 #include "record.h"
 #include "results.h"
+#include "text_file.h"
 
 #include <glob.h>
+#include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 // ---- One hint more ----------------------------------------------------------------------------
 
@@ -57,6 +63,38 @@ int tell_hint(const Manifest *lab)
                : " There are no more: look at one pixel, or ask somebody.");
     json_object_set_new(entry, "hints", json_integer(is_new ? shown + 1 : shown));
     return record_save(record);
+}
+
+// ---- Where --------------------------------------------------------------------------------------
+
+// The first line of an answer in a file, or 1 where its markers are gone.
+static int answer_line(const char *path, const char *task)
+{
+    char *text = text_file_read(path);
+    int line = 1, n_lines = 1;
+    for (const char *at = text; at != NULL && (at = strchr(at, '\n')) != NULL; at++) {
+        n_lines++;
+    }
+    while (text != NULL && line < n_lines && !hole_has_line(text, task, line)) {
+        line++;
+    }
+    free(text);
+    return line < n_lines ? line : 1;
+}
+
+void tell_places(const Manifest *lab, const json_t *results)
+{
+    for (int i = 0; i < lab->n_tasks; i++) {
+        const Task *task = &lab->tasks[i];
+        const json_t *fault = results_task_fault(results, task->id);
+        char path[PATH_MAX];
+        path_make(path, "labs/%s/%s", lab->lab, task->file);
+        if (fault != NULL && access(path, R_OK) == 0) {
+            const char *says = fault_sentence(results, fault);
+            printf("%s:%d: error: %s: %.*s\n", path, answer_line(path, task->id),
+                   text_of(fault, "id"), (int)strcspn(says, "\n"), says);
+        }
+    }
 }
 
 // ---- How far ------------------------------------------------------------------------------------

@@ -63,26 +63,35 @@ static void picture_write(FILE *page, const char *name, const char *words, int n
             words, name, number, words);
 }
 
+// What a program that does not compile, crashes or has no end drew before it did so is still shown,
+// and in any case what it shall draw.
 static void pictures_write(FILE *page, const News *news)
 {
     const Look *look = news->look;
-    if (!look->has_picture) {
-        return;
-    }
+    const int n_different = look->difference.n_different;
     fputs("<section class=\"card\"><div class=\"title\"><b>The open scene</b></div>\n"
           "<p class=\"soft\">drawn with ",
           page);
     html_line(page, look_options(look));
-    if (look->has_figure && look->difference.n_different > 0) {
-        fprintf(page, "; %d pixels differ, the first is (%d, %d)", look->difference.n_different,
+    if (look->is_compared && n_different > 0) {
+        fprintf(page, "; %d pixels differ, the first is (%d, %d)", n_different,
                 look->difference.first_x, look->difference.first_y);
-    } else if (look->has_figure) {
+    } else if (look->is_compared) {
         fputs("; no pixel differs", page);
     }
     fputs("</p><div class=\"trio\">\n", page);
-    picture_write(page, "picture", "Yours", news->number);
-    if (look->has_figure) {
+    if (look->has_picture) {
+        picture_write(page, "picture", look->is_older ? "Yours, before this change" : "Yours",
+                      news->number);
+    } else {
+        fputs("<figure><figcaption>Yours</figcaption><p class=\"missing\">no picture yet</p>"
+              "</figure>\n",
+              page);
+    }
+    if (look->figure.pixels != NULL) {
         picture_write(page, "expected", "As it should be", news->number);
+    }
+    if (look->is_compared) {
         picture_write(page, "difference", "Difference: black where equal", news->number);
     }
     fputs("</div>\n", page);
@@ -113,10 +122,10 @@ static void stages_write(FILE *page, const json_t *results)
     }
 }
 
-// A line a task, and the first fault.
+// A line a task: a failed one is marked as in the terminal, and the first has its message.
 static void verdict_write(FILE *page, const News *news, const char *report)
 {
-    const json_t *fault = results_first_fault(news->results);
+    const json_t *first = NULL;
     size_t i;
     json_t *task;
     if (news->results == NULL) {
@@ -127,22 +136,22 @@ static void verdict_write(FILE *page, const News *news, const char *report)
     json_array_foreach(json_object_get(news->results, "tasks"), i, task)
     {
         const int points = number_of(task, "points"), most = number_of(task, "max_points");
-        const int is_first =
-            strcmp(text_of(fault, "task"), text_of(task, "id")) == 0 && !fault_is_unanswered(fault);
+        const json_t *fault = results_task_fault(news->results, text_of(task, "id"));
         fprintf(page,
                 "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
-                points == most ? "passed"
-                : is_first     ? "failed"
-                               : "not-run",
-                points == most ? "&#10003;"
-                : is_first     ? "&#10007;"
-                               : "&ndash;");
+                points == most  ? "passed"
+                : fault != NULL ? "failed"
+                                : "not-run",
+                points == most  ? "&#10003;"
+                : fault != NULL ? "&#10007;"
+                                : "&ndash;");
         html_line(page, text_of(task, "title"));
         fputs("</span> <code class=\"id\">", page);
         html_line(page, text_of(task, "id"));
         fprintf(page, "</code></div><span class=\"number\">%d / %d</span>\n", points, most);
-        if (is_first) {
+        if (first == NULL && fault != NULL) {
             html_message(page, text_of(fault, "message"));
+            first = fault;
         }
         fputs("</div>\n", page);
     }

@@ -6,6 +6,7 @@
 #include "record.h"
 #include "results.h"
 #include "stats.h"
+#include "tell.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -153,7 +154,7 @@ static double seconds_of_round(const Watch *watch)
 // only say them again.
 static void tell_uncompiled(Watch *watch)
 {
-    watch->look.has_picture = 0;
+    watch->look.is_older = 1;
     printf("   does not compile (%.1f s)\n", seconds_of_round(watch));
     said_print(watch->child.said);
     replace(&watch->news.said, strdup(watch->child.said));
@@ -174,17 +175,18 @@ static void compiling_ended(Watch *watch, int status)
     }
 }
 
-static void drawing_ended(Watch *watch, int status, int is_late)
+//   late   why it was ended before its time, or NULL
+static void drawing_ended(Watch *watch, int status, const char *late)
 {
     Look *look = &watch->look;
     char *told;
-    look->has_picture = 0;
+    look->is_older = 1;
     if (status != 0 && strstr(watch->child.said, ": error: ") != NULL) {
         tell_uncompiled(watch);
         return;
     }
-    if (is_late) {
-        told = message_new("compiles; drawing had no end in %d s", LOOK_MOST_MS / 1000);
+    if (late != NULL) {
+        told = message_new("compiles, but %s", late);
     } else if (status != 0) {
         told = message_new("compiles, but drawing failed%s", status >= 128 ? ": it crashed" : "");
         said_print(watch->child.said);
@@ -192,8 +194,8 @@ static void drawing_ended(Watch *watch, int status, int is_late)
     } else {
         look_compare(look);
         told =
-            !look->has_picture  ? message_new("compiles, but ends without a picture")
-            : !look->has_figure ? message_new("compiles, and draws")
+            look->is_older       ? message_new("compiles, but ends without a picture")
+            : !look->is_compared ? message_new("compiles, and draws")
             : look->difference.n_different == 0
                 ? message_new("compiles; the picture is as it should be")
                 : message_new(
@@ -254,6 +256,10 @@ static void grading_ended(Watch *watch, int status)
     if (fault_is_unanswered(results_first_fault(now))) {
         replace(&watch->news.command, NULL);
     }
+    if (results_first_fault(now) != NULL) {
+        printf("\n");
+        tell_places(watch->desk->lab, now);
+    }
     if (watch->news.command != NULL) {
         printf("\n   see why: %s\n", watch->news.command);
     }
@@ -271,7 +277,7 @@ static void step_ended(Watch *watch, int status)
         compiling_ended(watch, status);
         break;
     case STEP_DRAWING:
-        drawing_ended(watch, status, 0);
+        drawing_ended(watch, status, NULL);
         break;
     case STEP_GRADING:
         grading_ended(watch, status);
@@ -285,9 +291,10 @@ static void step_ended(Watch *watch, int status)
 void round_go_on(Watch *watch)
 {
     int status;
-    if (watch->step == STEP_DRAWING && stats_clock_ms() - watch->child.start_ms > LOOK_MOST_MS) {
+    const char *late = watch->step == STEP_DRAWING ? look_is_late(&watch->child) : NULL;
+    if (late != NULL) {
         child_stop(&watch->child);
-        drawing_ended(watch, 0, 1);
+        drawing_ended(watch, 0, late);
     }
     if (child_has_ended(&watch->child, &status)) {
         step_ended(watch, status);

@@ -50,7 +50,7 @@ copy() {
 
 # ---- What goes in -----------------------------------------------------------------------------
 
-git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .devcontainer .editorconfig \
+git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .devcontainer .vscode .editorconfig \
     .gitattributes .gitignore Containerfile | copy
 # The course's container can grade classes, too.
 sed -i 's/install\.sh demo /install.sh grade /' "$root/Containerfile"

@@ -5,6 +5,7 @@
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
 . tests/tap.sh
+editor_tasks=$PWD/.vscode/tasks.json
 . tests/course_copy.sh
 # Other users may enter, as the sandbox's is somebody else.
 chmod 711 "$scratch"
@@ -22,6 +23,17 @@ says() {
     shift
     said=$("$@" 2>&1)
     printf '%s\n' "$said" | grep -qF -- "$words" || { printf '%s\n' "$said"; return 1; }
+}
+
+# matched COMMAND FIELD: the lines of stdin that VS Code's matcher of the task with this command finds; a pattern of its
+# `background`, or with FIELD `pattern` what is taken out of a line: file, line, column, severity, message.
+matched() {
+    jq -rR --arg command "$1" --arg field "$2" --slurpfile tasks "$editor_tasks" '
+        ($tasks[0].tasks[] | select(.args[0] == $command) | .problemMatcher) as $matcher |
+        if $field == "pattern"
+        then $matcher.pattern as $p | match($p.regexp).captures as $c |
+            [$p.file, $p.line, $p.column, $p.severity, $p.message] | map($c[. - 1].string // "-") | join("|")
+        else select(test($matcher.background[$field])) end'
 }
 
 # ---- Progress and hints ---------------------------------------------------------------------------
@@ -66,7 +78,7 @@ saved() {
 # last WORDS: are they in what was printed since the last round began?
 last() { awk '/^---- /{text = ""} {text = text "\n" $0} END {print text}' "$log" | grep -qF -- "$1" || { tail -n 40 "$log"; return 1; }; }
 by_renaming() { cp "$right" "$file.new" && mv "$file.new" "$file"; }
-with_a_typo() { sed -i 's/uint offset/uint ofset/' "$file"; }
+with_a_typo() { sed -i 's/uint offset/uint begin/' "$file"; }
 last_missing() { sed 's/i <= n_circles/i < n_circles/' "$right" >"$file"; }
 
 await done_after 0
@@ -84,13 +96,34 @@ check "the same bytes again are no save" [ "$(rounds)" -eq $((heart_done + 1)) ]
 check "what does not compile is named at once" last "does not compile"
 check "at the student's line" last "error: use of undeclared identifier 'offset'"
 check "and on the page" grep -q "undeclared identifier" build/watch/index.html
+check "with the picture of the save before" grep -q 'before this change</figcaption><img src="picture.png' build/watch/index.html
+check "and the expected one" grep -q 'src="expected.png' build/watch/index.html
+# found_by_editor COMMAND FILE PLACE: is this one of those that VS Code finds in a file?
+found_by_editor() {
+    matched "$1" pattern <"$2" >"$scratch/found"
+    grep -qxF "$3" "$scratch/found" || { cat "$scratch/found"; return 1; }
+}
+# place_of WORD: the line of our file, and the column, where it is first.
+place_of() { awk -v word="$1" 'index($0, word) { print NR "|" index($0, word); exit }' "$file"; }
+check "VS Code finds the place in what the watch prints" found_by_editor watch "$log" \
+    "$file|$(place_of offset)|error|use of undeclared identifier 'offset'"
 saved last_missing
 check "what was lost is told" last "-15  leaf-random"
 check "a wrong pixel can be followed" last "see why: make pixel LAB=03 AT="
+# The first line of an answer, of which the editor is told.
+answer=$(awk '/ TASK leaf_loop/ { inside = 1 } inside && !/^ *\/\/ / { print NR; exit }' "$file")
+tail -n 12 "$log" >"$scratch/fault"
+check "so can its answer in VS Code" found_by_editor watch "$scratch/fault" \
+    "$file|$answer|-|error|leaf-random: $(jq -r '.checks[] | select(.id == "leaf-random") | .cause // .message' build/grade/03/results.json)"
 check "the page has the difference" grep -q 'difference.png' build/watch/index.html
 saved eval 'printf h >&3'
 check "h shows a hint" last "1 of 4  "
 check "a second watch is refused" says "one runs here already" build/tools/desk watch --lab "$lab"
+
+two_wrong() { sed -e 's/i <= n_circles/i < n_circles/' -e 's/x < box.maxX/x <= box.maxX/' "$right" >"$file"; }
+saved two_wrong
+check "a later task that failed, too, is marked as the first one" \
+    [ "$(grep -o 'check failed' build/watch/index.html | wc -l)" -eq 2 ]
 
 # Two saves, the second while the first one is graded: the last one has its verdict.
 before=$(offers)
@@ -102,6 +135,9 @@ cp "$right" "$file"
 await done_after "$before"
 check "a save in the middle of a round ends it" [ "$(grep -c 'not graded to its end' "$log")" -ge 1 ]
 check "and is not missed" last "Score 100/100"
+
+check "VS Code sees when a round begins and ends" [ "$(matched watch beginsPattern <"$log" | wc -l) $(matched watch endsPattern <"$log" | wc -l)" = \
+    "$(rounds) $(offers)" ]
 
 kill -INT "$watch"
 wait "$watch"

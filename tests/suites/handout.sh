@@ -202,6 +202,9 @@ contained() {
     ! grep demo "$1/Containerfile" && grep -qx 'RUN common/setup/install.sh grade view editor' "$1/Containerfile"
 }
 
+# run_by_editor FOLDER: has it the tasks of VS Code?
+run_by_editor() { jq -e '.tasks | length == 2' "$1/.vscode/tasks.json"; }
+
 # edited FOLDER: does clangd, by what the handout tells it, find no fault in the lab's files?
 edited() {
     find "$1/labs" -name '*.[ch]*' >"$scratch/sources"
@@ -292,6 +295,7 @@ for lab in $labs; do
     check "$lab: earlier solutions, where there are any, as a reader wants them" finished "$scratch/$lab"
     check "$lab: no link leads nowhere" links "$scratch/$lab"
     check "$lab: its container gets what a handout needs" contained "$scratch/$lab"
+    check "$lab: VS Code has its tasks" run_by_editor "$scratch/$lab"
     check "$lab: make help and the README name what there is for it" helps "$scratch/$lab" "$lab"
     check "$lab: the first make grade counts its steps" counts "$scratch/$lab" "$lab"
     if command -v clangd >/dev/null; then

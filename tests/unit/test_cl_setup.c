@@ -365,6 +365,11 @@ Test(cl_setup, functions_have_their_own_names_and_the_line_that_calls_them)
                      "k.cl:1:1: error: no matching function for call to 'max'\nmax(0, x)\n^\n"
                      "note: count its arguments, and look at their types: max() has two, so that "
                      "the largest of three is max(a, max(b, c))\n");
+    cr_expect(
+        strstr(print_log("error: k.cl:1:1: initializing '__private Circle *__private' with an "
+                         "expression of type 'const __global Circle *' changes address space "
+                         "of pointer\n"),
+               "\nnote: a pointer's type names the memory that it points into: `global` for"));
     cr_expect_str_eq(print_log("error: k.cl:1:1 <Spelling=unfinished\n"),
                      "k.cl: error: k.cl:1:1 <Spelling=unfinished\n");
 }
