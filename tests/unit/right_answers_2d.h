@@ -261,13 +261,14 @@ static void answer_trees(Writer *writer, const Sections *job)
 static void answer_children(Writer *writer, const Sections *job)
 {
     size_t n_bytes;
-    const KdTree2D tree = {
-        .nodes_Relations = (NodeRel *)sections_find_any(job, "children.relations", &n_bytes),
-        .nodes_BBox = (BBox2D *)sections_find_any(job, "children.boxes", &n_bytes)};
+    NodeRel *relations = (NodeRel *)sections_find_any(job, "children.relations", &n_bytes);
+    BBox2D *boxes = (BBox2D *)sections_find_any(job, "children.boxes", &n_bytes);
     const ChildJob *inputs = sections_find_any(job, "children", &n_bytes);
     const size_t n = n_bytes / sizeof *inputs;
     u32 *children = calloc(n, sizeof *children);
     for (size_t i = 0; i < n; i++) {
+        const KdTree2D tree = {.nodes_Relations = relations + inputs[i].first,
+                               .nodes_BBox = boxes + inputs[i].first};
         children[i] = containing_child(&tree, inputs[i].id, (float)inputs[i].x, (float)inputs[i].y);
     }
     answer(writer, "children", children, n * sizeof *children);

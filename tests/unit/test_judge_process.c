@@ -165,7 +165,7 @@ static Verdict verdict_on(Answers answers, const char *id)
 // The answer to the first picture, all pixels and the margin of this value, as answer `number`.
 static Answers picture_of(unsigned number, float value, Sections *sections)
 {
-    enum { N_FLOATS = PROBE_IMAGE_SIDE(317) * PROBE_IMAGE_SIDE(211) * 4 };
+    enum { N_FLOATS = PROBE_IMAGE_SIDE(317) * PROBE_IMAGE_SIDE(100) * 4 };
     static float pixels[N_FLOATS];
     for (int i = 0; i < N_FLOATS; i++) {
         pixels[i] = value;
@@ -188,7 +188,7 @@ Test(judge_process, a_diagnosis_arrives_in_its_parts, .init = start, .fini = sto
     cr_expect_null(picture.diagnosis.cause);
     cr_expect_eq(padding.diagnosis.evidence, EVIDENCE_VALUES);
     cr_expect_str_eq(padding.diagnosis.found, "the kernel wrote outside the picture: pixel (317, "
-                                              "0) of a 317x211 picture");
+                                              "0) of a 317x100 picture");
     cr_expect_str_eq(
         padding.diagnosis.cause,
         "a guard for the work-items that fill up the last "

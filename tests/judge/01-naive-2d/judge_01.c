@@ -12,8 +12,8 @@ static const char *const edge_names[PILE - NAMED] = {"outside", "borders", "touc
 
 static int roll_scenes(Random *random, JobScene scenes[N_SCENES])
 {
-    int result = job_scene_random(&scenes[WIDE], random, 120, 24, 317, 211);
-    result |= job_scene_random(&scenes[HIGH], random, 30, 12, 48, 272);
+    int result = job_scene_random(&scenes[WIDE], random, 120, 24, WIDE_COLUMNS, WIDE_ROWS);
+    result |= job_scene_random(&scenes[HIGH], random, 30, 12, HIGH_COLUMNS, HIGH_ROWS);
     result |= job_scene_random(&scenes[RANDOM], random, 200, 16, 128, 96);
     result |= job_scene_random(&scenes[RANDOM + 1], random, 7, 40, 96, 100);
     job_scene_cover_second(&scenes[RANDOM]);
@@ -34,8 +34,11 @@ static int roll_scenes(Random *random, JobScene scenes[N_SCENES])
 static int roll(void *pointer, Random *random)
 {
     Job01 *job = pointer;
-    roll_overlaps_01(random, job->overlaps);
-    return roll_scenes(random, job->scenes);
+    if (roll_scenes(random, job->scenes) != 0) {
+        return -1;
+    }
+    roll_overlaps_01(random, job->scenes, job->overlaps);
+    return 0;
 }
 
 // ---- Alone --------------------------------------------------------------------------------------
@@ -70,51 +73,44 @@ static void own_color(const void *pointer, int x, int y, float color[4])
     color[3] = 1;
 }
 
-// Which of the job's scenes a task is tried with, as scenes 0 and on.
-static const Range own_pixel_scenes = {.first = WIDE, .n = RANDOM - WIDE};
-static const Range renderer_scenes = {.first = RANDOM, .n = N_SCENES - RANDOM};
-
 static int write_alone(const void *pointer, const char *task, FILE *file)
 {
     const Job01 *job = pointer;
     if (strcmp(task, "overlaps_N_Nearer") == 0) {
         return 0;
     }
-    const Range scenes = strcmp(task, "own_pixel") == 0 ? own_pixel_scenes : renderer_scenes;
     int result = 0;
-    for (int k = 0; result == 0 && k < scenes.n; k++) {
-        result = job_scene_write(&job->scenes[scenes.first + k], k, file);
+    for (int k = 0; result == 0 && k < N_SCENES; k++) {
+        result = job_scene_write(&job->scenes[k], k, file);
     }
     return result;
 }
 
-static int is_drawn(const void *pointer, int k, Range scenes, ColorAt *color_at,
-                    const Sections *answers)
+static int is_drawn(const void *pointer, int k, ColorAt *color_at, const Sections *answers)
 {
     const Scene2D *scene = &((const Job01 *)pointer)->scenes[k].scene;
-    return alone_picture_is_right(answers, k - scenes.first, scene->width, scene->height, 0,
-                                  color_at, scene);
+    return alone_picture_is_right(answers, k, scene->width, scene->height, 0, color_at, scene);
 }
 
 static int own_color_is_drawn(const void *job, int k, const Sections *answers)
 {
-    return is_drawn(job, k, own_pixel_scenes, own_color, answers);
+    return is_drawn(job, k, own_color, answers);
 }
 
 static int nearest_is_drawn(const void *job, int k, const Sections *answers)
 {
-    return is_drawn(job, k, renderer_scenes, nearest_color, answers);
+    return is_drawn(job, k, nearest_color, answers);
 }
 
 static int expect_own(const void *pointer, int k, ExpectedPicture *expected)
 {
-    const Scene2D *scene = &((const Job01 *)pointer)->scenes[own_pixel_scenes.first + k].scene;
+    const Scene2D *scene = &((const Job01 *)pointer)->scenes[k].scene;
     return alone_picture_expect(scene->width, scene->height, 0, own_color, scene, expected);
 }
 
 static int expect_nearest(const void *pointer, int k, ExpectedPicture *expected)
 {
-    const JobScene *scene = &((const Job01 *)pointer)->scenes[renderer_scenes.first + k];
+    const JobScene *scene = &((const Job01 *)pointer)->scenes[k];
     expected_picture_recognise(expected, job_scene_draw_squares, scene);
     return alone_picture_expect(scene->scene.width, scene->scene.height, 0, nearest_color,
                                 &scene->scene, expected);
@@ -122,21 +118,18 @@ static int expect_nearest(const void *pointer, int k, ExpectedPicture *expected)
 
 static Cause own_cause(const void *job, const JudgeCheck *check, const Sections *answers)
 {
-    return alone_pictures_look(job, check->range.first - own_pixel_scenes.first, check->range.n,
-                               expect_own, answers);
+    return alone_pictures_look(job, check->range.first, check->range.n, expect_own, answers);
 }
 
 static Cause nearest_cause(const void *job, const JudgeCheck *check, const Sections *answers)
 {
-    return alone_pictures_look(job, check->range.first - renderer_scenes.first, check->range.n,
-                               expect_nearest, answers);
+    return alone_pictures_look(job, check->range.first, check->range.n, expect_nearest, answers);
 }
 
 static int keeps_inside(const void *pointer, int k, const Sections *answers)
 {
     const Scene2D *scene = &((const Job01 *)pointer)->scenes[k].scene;
-    return alone_picture_keeps_inside(answers, k - own_pixel_scenes.first, scene->width,
-                                      scene->height);
+    return alone_picture_keeps_inside(answers, k, scene->width, scene->height);
 }
 
 // ---- The judge ----------------------------------------------------------------------------------
@@ -149,13 +142,12 @@ static const JudgeCheck checks[] = {
     {"overlaps-nearer", "Nearer, equally far and farther than minDepth", "overlaps_N_Nearer",
      .function = &overlaps_01, .range = {N_INSIDE + N_BOUNDARY, N_NEARER}},
     {"own_pixel-picture", "Every work-item draws its own pixel", "own_pixel", "*",
-     .scene = judge_picture, .range = {WIDE, 2}, .alone_scene = own_color_is_drawn,
+     .scene = judge_picture, .range = {0, N_SCENES}, .alone_scene = own_color_is_drawn,
      .alone_cause = own_cause},
     {"own_pixel-padding", "Nothing is written outside the picture", "own_pixel",
-     .scene = judge_padding, .range = {0, N_SCENES}, .alone_scene = keeps_inside,
-     .alone_range = {WIDE, 2}},
+     .scene = judge_padding, .range = {0, N_SCENES}, .alone_scene = keeps_inside},
     {"renderer-random", "Random scenes", "implicit2DRenderer", "*", .scene = judge_picture,
-     .range = {RANDOM, 2}, .alone_scene = nearest_is_drawn, .alone_cause = nearest_cause},
+     .range = {WIDE, 4}, .alone_scene = nearest_is_drawn, .alone_cause = nearest_cause},
     {"renderer-order", "Of equal depths the lower index wins", "implicit2DRenderer", "*",
      .scene = judge_picture, .range = {ORDER, 1}, .alone_scene = nearest_is_drawn,
      .alone_cause = nearest_cause},

@@ -1,6 +1,8 @@
 // Lab 01: rolling the inputs of overlaps_N_Nearer. See judge_01.h.
 #include "judge_01.h"
 
+#include "oracle2d.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -119,19 +121,112 @@ static OverlapJob roll_nearer(Random *random)
     return job;
 }
 
-void roll_overlaps_01(Random *random, OverlapJob jobs[N_OVERLAPS])
+// ---- What pictures send -------------------------------------------------------------------------
+
+// A pixel in or outside a circle that is nearer than minDepth, and not near its boundary.
+static OverlapJob roll_pixel(Random *random, int x, int y, int is_inside)
 {
-    for (int i = 0; i < N_OVERLAPS; i++) {
-        jobs[i] = i < N_INSIDE                ? roll_inside(random)
-                  : i < N_INSIDE + N_BOUNDARY ? roll_boundary(random)
-                                              : roll_nearer(random);
+    OverlapJob job = {.x = x, .y = y, .minDepth = 0.75f};
+    do {
+        const int radius = (int)random_integer(random, 1, 60);
+        job.circle = (Circle){.x = (float)x + random_grid(random, -2 * radius, 2 * radius),
+                              .y = (float)y + random_grid(random, -2 * radius, 2 * radius),
+                              .radius = (float)radius,
+                              .depth = 0.25f};
+    } while (fabs(outside_by_01(job)) < SMALL || (outside_by_01(job) < 0) != is_inside);
+    return job;
+}
+
+// Every pixel that some picture has, once inside and once outside.
+static void roll_pixels(Random *random, OverlapJob jobs[2 * N_PIXELS])
+{
+    int n = 0;
+    for (int y = 0; y < HIGH_ROWS; y++) {
+        for (int x = 0; x < (y < WIDE_ROWS ? WIDE_COLUMNS : HIGH_COLUMNS); x++) {
+            jobs[n++] = roll_pixel(random, x, y, 0);
+            jobs[n++] = roll_pixel(random, x, y, 1);
+        }
     }
-    for (int i = 0; i < N_BESIDE_BOUNDARY; i++) {
-        jobs[N_INSIDE + i] = boundary_edge(i);
+}
+
+// Where the calls of a scene go: a place in each range.
+typedef struct Sent {
+    OverlapJob *inside, *boundary, *nearer;
+    int n_inside, n_boundary, n_nearer;  // how many have come
+} Sent;
+
+// Keep a call among the n of its kind, all of which have the same chance.
+static void keep(Random *random, OverlapJob *jobs, int n, int *n_come, OverlapJob job)
+{
+    const int i = (int)random_integer(random, 0, (*n_come)++);
+    if (*n_come <= n || i < n) {
+        jobs[*n_come <= n ? *n_come - 1 : i] = job;
     }
-    for (int i = 0; i < COUNT(depth_pairs); i++) {
-        OverlapJob *job = &jobs[N_INSIDE + N_BOUNDARY + i];
-        job->circle.depth = depth_pairs[i][0];
-        job->minDepth = depth_pairs[i][1];
+}
+
+// Sort a call into the range of what decides its answer: the depths, or else the place, with depths
+// that do not matter.
+static void sort_call(Random *random, OverlapJob job, Sent *sent)
+{
+    const double outside_by = outside_by_01(job);
+    OverlapJob plain = job;
+    plain.circle.depth = 0.25f;
+    plain.minDepth = 0.75f;
+    if (oracle2d_is_ambiguous(job.circle, job.x, job.y)) {
+        return;
+    }
+    if (fabs(outside_by) < SMALL) {
+        keep(random, sent->boundary, N_SENT_BOUNDARY, &sent->n_boundary, plain);
+        return;
+    }
+    keep(random, sent->inside, N_SENT_INSIDE, &sent->n_inside, plain);
+    if (outside_by < 0) {
+        keep(random, sent->nearer, N_SENT_NEARER, &sent->n_nearer, job);
+    }
+}
+
+// The calls that the kernel makes for some pixels of a scene.
+static void take_calls(Random *random, const Scene2D *scene, Sent *sent)
+{
+    const int n_pixels = scene->n_circles < 1000 ? 200 : 1;
+    for (int i = 0; i < n_pixels; i++) {
+        OverlapJob job = {.x = (int)random_integer(random, 0, scene->width - 1),
+                          .y = (int)random_integer(random, 0, scene->height - 1),
+                          .minDepth = INFINITY};
+        for (int k = 0; k < scene->n_circles; k++) {
+            job.circle = scene->circles[k];
+            sort_call(random, job, sent);
+            if (job.circle.depth < job.minDepth && oracle2d_covers(job.circle, job.x, job.y)) {
+                job.minDepth = job.circle.depth;
+            }
+        }
+    }
+}
+
+// ---- All ----------------------------------------------------------------------------------------
+
+void roll_overlaps_01(Random *random, const JobScene scenes[N_SCENES], OverlapJob jobs[N_OVERLAPS])
+{
+    OverlapJob *inside = jobs, *boundary = inside + N_INSIDE, *nearer = boundary + N_BOUNDARY;
+    for (int i = 0; i < N_INSIDE; i++) {
+        inside[i] = roll_inside(random);
+    }
+    for (int i = 0; i < N_BOUNDARY; i++) {
+        boundary[i] = i < N_BESIDE_BOUNDARY ? boundary_edge(i) : roll_boundary(random);
+    }
+    for (int i = 0; i < N_NEARER; i++) {
+        nearer[i] = roll_nearer(random);
+        if (i < COUNT(depth_pairs)) {
+            nearer[i].circle.depth = depth_pairs[i][0];
+            nearer[i].minDepth = depth_pairs[i][1];
+        }
+    }
+    roll_pixels(random, inside + N_ROLLED_INSIDE);
+    for (int k = 0; k < N_SCENES; k++) {
+        // What a scene has too few calls for stays as it is rolled.
+        Sent sent = {.inside = inside + N_INSIDE - (k + 1) * N_SENT_INSIDE,
+                     .boundary = boundary + N_BOUNDARY - (k + 1) * N_SENT_BOUNDARY,
+                     .nearer = nearer + N_NEARER - (k + 1) * N_SENT_NEARER};
+        take_calls(random, &scenes[k].scene, &sent);
     }
 }

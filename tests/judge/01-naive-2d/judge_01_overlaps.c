@@ -139,10 +139,12 @@ static OverlapJob around_whole_centre(OverlapJob in)
     return in;
 }
 
-ONLY(whole_centre, IS_FOUND(overlaps(around_whole_centre(in))), WHOLE_NUMBERS)
+// What an int's square does not hold.
+#define OVERFLOWS (fmax(to_x(in), to_y(in)) > 32767)
+ONLY(whole_centre, OVERFLOWS || IS_FOUND(overlaps(around_whole_centre(in))), WHOLE_NUMBERS)
 ONLY(whole_differences,
-     IS_FOUND(is_within(in, squared(trunc(to_x(in))) + squared(trunc(to_y(in))),
-                        squared(in.circle.radius))),
+     OVERFLOWS || IS_FOUND(is_within(in, squared(trunc(to_x(in))) + squared(trunc(to_y(in))),
+                                     squared(in.circle.radius))),
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {

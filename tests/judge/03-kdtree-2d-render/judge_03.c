@@ -14,8 +14,9 @@
 #define GIVEN                                                                                      \
     const KdTree2D *tree = &((const Job03 *)job)->child_tree;                                      \
     const ChildJob in = ((const Job03 *)job)->children[i];                                         \
-    const NodeRel node = tree->nodes_Relations[in.id];                                             \
-    const BBox2D cell = tree->nodes_BBox[in.id], left = tree->nodes_BBox[node.lChild];             \
+    const NodeRel node = tree->nodes_Relations[in.first + in.id];                                  \
+    const BBox2D *boxes = tree->nodes_BBox + in.first;                                             \
+    const BBox2D cell = boxes[in.id], left = boxes[node.lChild];                                   \
     const u32 found = ((const u32 *)answers)[i];                                                   \
     (void)cell, (void)left
 // Of a pixel that the node's cell does not hold either child is right.
@@ -102,7 +103,7 @@ static char *describe(const void *job, int i, const void *answers)
                        "child %u is %s, right child %u is %s)",
                        in.id, in.x, in.y, found, HELD(in.x, in.y) ? node.lChild : node.rChild,
                        node.lChild, cell_words(left).text, node.rChild,
-                       cell_words(tree->nodes_BBox[node.rChild]).text);
+                       cell_words(boxes[node.rChild]).text);
 }
 
 static const Function children = {"children",           N_CHILDREN,
@@ -258,18 +259,18 @@ static const JudgeCheck checks[] = {
      .function = &children, .range = {N_INSIDE, N_BORDER}},
 
     {"descent-picture", "Random scenes through their trees", "descent", "*", .scene = judge_picture,
-     .range = {BORDERS, 3}, .alone = all_end_in_leaves_03},
+     .range = {0, LEAF_MAP}, .alone_scene = ends_in_leaves_03},
     {"descent-leaf", "Every pixel ends in its own leaf", "descent", "*", .scene = judge_leaf_map,
      .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03, .alone_cause = descent_cause_03},
     {"descent-work", "One step a level, no more", "descent", "getContainingChild",
      .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
 
     {"leaf-random", "Random scenes", "leaf_loop", "*", .scene = judge_picture,
-     .range = {RANDOM, 2}},
+     .range = {0, ORDER}},
     {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", "*", .scene = judge_picture,
      .range = {ORDER, 1}},
     {"leaf-edges", "Empty leaves, long lists, no circles, huge, tiny, any depth", "leaf_loop", "*",
-     .scene = judge_picture, .range = {EDGES, N_EDGES}},
+     .scene = judge_picture, .range = {EDGES, N_SCENES - EDGES}},
     {"leaf-work", "Only the leaf's own circles are asked", "leaf_loop", "*",
      .all = judge_leaf_works},
 };

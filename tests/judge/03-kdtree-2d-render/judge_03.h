@@ -10,20 +10,20 @@
 
 // The scenes.
 enum {
-    BORDERS = 0,  // root [0, 256] x [0, 256]: splits fall on whole pixels
-    WIDE = 1,
-    WITHIN = 2,    // smaller than its picture: pixels outside the root
-    LEAF_MAP = 3,  // each leaf has a colour of its own,
-    STAIRS = 4,    // and here the tree is deeper than any number one might think of
-    RANDOM = 5,    // two
-    ORDER = 7,
-    EDGES = 8,
+    RANDOM = 0,   // two
+    BORDERS = 2,  // root [0, 256] x [0, 256]: splits fall on whole pixels
+    WIDE = 3,
+    WITHIN = 4,  // smaller than its picture: pixels outside the root
+    ORDER = 5,
+    EDGES = 6,
     EMPTY_LEAVES = EDGES + 1,
     ROOT_IS_LEAF = EDGES + 4,
     DEPTHS = EDGES + 6,
     LONG_LIST = EDGES + 7,
     N_EDGES = 8,
-    N_SCENES = EDGES + N_EDGES,
+    LEAF_MAP = EDGES + N_EDGES,  // each leaf has a colour of its own,
+    STAIRS = LEAF_MAP + 1,       // and here the tree is deeper than any number one might think of
+    N_SCENES = STAIRS + 1,
 };
 
 // No tree of a leaf map has more levels.
@@ -34,15 +34,25 @@ enum { FAR_IDS = (1 << 16) + 64 };
 
 // Inputs of getContainingChild: first families that are nobody's, in either direction, each with
 // the pixels before, at and behind a border, and one on either side outside the cell; then random
-// ones.
+// ones, and what the kernel sends for every pixel of every picture: a node whose left child it is
+// in, and one whose right child.
 enum { N_FAMILIES = 17, N_FAMILY_PIXELS = 5, N_FAMILY_JOBS = 2 * N_FAMILY_PIXELS * N_FAMILIES };
-enum { N_INSIDE = 2000, N_BORDER = 1000 };
+enum { N_FAMILY_NODES = 3 * 2 * N_FAMILIES };
+enum { WIDE_COLUMNS = 317, WIDE_ROWS = 100, BORDERS_SIDE = 256 };
+enum {
+    N_OTHER_PIXELS = 45000,  // at most
+    N_SENT_INSIDE = 2 * (WIDE_COLUMNS * WIDE_ROWS + BORDERS_SIDE * BORDERS_SIDE + N_OTHER_PIXELS),
+    N_SENT_BORDER = 20,  // by each scene
+};
+enum { N_ROLLED_INSIDE = 2000, N_ROLLED_BORDER = 1000 };
+enum { N_INSIDE = N_ROLLED_INSIDE + N_SENT_INSIDE };
+enum { N_BORDER = N_ROLLED_BORDER + N_SENT_BORDER * N_SCENES };
 enum { N_CHILDREN = N_INSIDE + N_BORDER };
 
 typedef struct Job03 {
     Job job;
     ChildJob children[N_CHILDREN];
-    KdTree2D child_tree;  // of these: nodes of the scene BORDERS, and families that are nobody's
+    KdTree2D child_tree;  // of these: nodes of BORDERS, families that are nobody's, all scenes' trees
     JobScene scenes[N_SCENES];
 } Job03;
 
@@ -54,7 +64,6 @@ int job_03_write_scene(const void *job, int k, FILE *file);
 // One answer alone.
 int write_alone_03(const void *job, const char *task, FILE *file);
 int ends_in_leaves_03(const void *job, int k, const Sections *answers);
-int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers);
 
 Cause descent_cause_03(const void *job, const JudgeCheck *check, const Sections *answers);
 
@@ -78,10 +87,14 @@ char *first_wrong_end_03(const JobScene *scene, int k, const Sections *answers);
 // Roll the scene STAIRS. Returns 0, or -1 after one message.
 int draw_stairs(JobScene *scene);
 
-// The nodes of a tree, without lists, and behind FAR_IDS families whose borders are beside a whole
-// pixel or at negative coordinates; and the inputs that ask for these. Returns 0, or -1 after one
-// message.
-int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS]);
+// Add families whose borders are beside a whole pixel or at negative coordinates, from FAR_IDS on;
+// and the inputs that ask for these.
+void add_families(KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS]);
+
+// Add the nodes of the scenes' trees, from id `first` on, and the calls that the pictures send.
+void add_sent_03(Random *random, const JobScene scenes[N_SCENES], u32 first, KdTree2D *more,
+                 ChildJob inside[N_SENT_INSIDE], ChildJob border[N_SENT_BORDER * N_SCENES]);
+u32 count_sent_nodes_03(const JobScene scenes[N_SCENES]);
 
 // Write the nodes of getContainingChild. Returns 0, or -1.
 int write_child_tree_03(const Job03 *job, FILE *file);

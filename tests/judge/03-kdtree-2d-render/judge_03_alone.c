@@ -236,14 +236,3 @@ Cause descent_cause_03(const void *pointer, const JudgeCheck *check, const Secti
     const int are_right = ends_in_leaves_03(job, LEAF_MAP, answers);
     return are_right ? causes[1] : causes[0];
 }
-
-// The leaf maps are another check's.
-int all_end_in_leaves_03(const void *job, const JudgeCheck *check, const Sections *answers)
-{
-    int is_right = 1;
-    (void)check;
-    for (int k = 0; is_right && k < N_SCENES; k++) {
-        is_right = k == LEAF_MAP || k == STAIRS || ends_in_leaves_03(job, k, answers);
-    }
-    return is_right;
-}

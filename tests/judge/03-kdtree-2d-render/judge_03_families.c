@@ -3,7 +3,6 @@
 #include "judge_03.h"
 
 #include <math.h>
-#include <string.h>
 
 // A cell, both ways from min to max, the border between its children, a coordinate before, at and
 // behind which pixels are asked, and another one in the cell. Most borders lie beside that pixel by
@@ -42,13 +41,8 @@ static i32 family_pixel(u32 family, u32 step)
                        : (i32)ceilf(families[family].max) + 2;
 }
 
-int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS])
+void add_families(KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS])
 {
-    if (tree_create_03(FAR_IDS + 3 * 2 * N_FAMILIES, 1, more) != 0) {
-        return -1;
-    }
-    memcpy(more->nodes_Relations, tree->nodes_Relations, tree->n_nodes * sizeof(NodeRel));
-    memcpy(more->nodes_BBox, tree->nodes_BBox, tree->n_nodes * sizeof(BBox2D));
     for (u32 i = 0; i < 2 * N_FAMILIES; i++) {
         const u32 id = FAR_IDS + 3 * i;
         const float min = families[i / 2].min, max = families[i / 2].max;
@@ -63,8 +57,8 @@ int add_families(const KdTree2D *tree, KdTree2D *more, ChildJob jobs[N_FAMILY_JO
         *(i % 2 == 0 ? &boxes[rChild].minX : &boxes[rChild].minY) = border;
         for (u32 step = 0; step < N_FAMILY_PIXELS; step++) {
             const i32 pixel = family_pixel(i / 2, step);
-            *jobs++ = i % 2 == 0 ? (ChildJob){pixel, other, id} : (ChildJob){other, pixel, id};
+            *jobs++ = i % 2 == 0 ? (ChildJob){pixel, other, id, 0}
+                                 : (ChildJob){other, pixel, id, 0};
         }
     }
-    return 0;
 }

@@ -36,7 +36,7 @@ static int roll_borders(Random *random, JobScene *scene)
     corner[0].radius = 1;
     corner[1].x = corner[1].y = 254;
     corner[1].radius = 1.5f;
-    scene->scene.width = scene->scene.height = 256;
+    scene->scene.width = scene->scene.height = BORDERS_SIDE;
     return job_scene_grow_tree(scene, (KdTreeLimits){12, 4});
 }
 
@@ -74,7 +74,7 @@ static ChildJob roll_child(Random *random, const KdTree2D *tree, int on_border)
         }
         const i32 x = coordinate(random, box.minX, box.maxX);
         const i32 y = coordinate(random, box.minY, box.maxY);
-        ChildJob job = {x, y, id};
+        ChildJob job = {x, y, id, 0};
         const BBox2D left = tree->nodes_BBox[tree->nodes_Relations[id].lChild];
         if (on_border) {
             // One coordinate on a border: the lower one of the node, or the one the children share.
@@ -141,7 +141,7 @@ static KdTreeLimits limits_of(int k)
 static int roll_scenes(Random *random, JobScene scenes[N_SCENES])
 {
     int result = roll_borders(random, &scenes[BORDERS]);
-    result |= job_scene_random(&scenes[WIDE], random, 200, 20, 317, 211);
+    result |= job_scene_random(&scenes[WIDE], random, 200, 20, WIDE_COLUMNS, WIDE_ROWS);
     result |= roll_within(random, &scenes[WITHIN]);
     result |= roll_leaf_map(random, &scenes[LEAF_MAP]);
     result |= draw_stairs(&scenes[STAIRS]);
@@ -170,10 +170,20 @@ static int roll_scenes(Random *random, JobScene scenes[N_SCENES])
 static int roll_children(Random *random, Job03 *job)
 {
     const KdTree2D *tree = &job->scenes[BORDERS].tree;
+    const u32 first = FAR_IDS + N_FAMILY_NODES;
+    KdTree2D *nodes = &job->child_tree;
+    if (tree_create_03(first + count_sent_nodes_03(job->scenes), 1, nodes) != 0) {
+        return -1;
+    }
+    memcpy(nodes->nodes_Relations, tree->nodes_Relations, tree->n_nodes * sizeof(NodeRel));
+    memcpy(nodes->nodes_BBox, tree->nodes_BBox, tree->n_nodes * sizeof(BBox2D));
     for (int i = N_FAMILY_JOBS; i < N_CHILDREN; i++) {
         job->children[i] = roll_child(random, tree, i >= N_INSIDE);
     }
-    return add_families(tree, &job->child_tree, job->children);
+    add_families(nodes, job->children);
+    add_sent_03(random, job->scenes, first, nodes, job->children + N_ROLLED_INSIDE,
+                job->children + N_INSIDE + N_ROLLED_BORDER);
+    return 0;
 }
 
 int roll_job_03(void *pointer, Random *random)

@@ -11,11 +11,11 @@ static const JudgeCheck checks[] = {
      .range = {0, N_VIEWS}},
 
     {"display-sides", "x grows to the right, y upwards, z is 1", "pixel_on_display",
-     .function = &display_sides_04, .range = {ANYWHERE * N_PIXELS, N_PIXELS}},
+     .function = &display_sides_04, .range = {ANYWHERE, N_PIXELS}},
     {"display-middle", "The middle of the pixel, in square pictures", "pixel_on_display",
-     .function = &display_04, .range = {SQUARE * N_PIXELS, N_PIXELS}},
+     .function = &display_04, .range = {SQUARE, N_PIXELS}},
     {"display-aspect", "Wide and high pictures have square pixels", "pixel_on_display",
-     .function = &display_04, .range = {OBLONG * N_PIXELS, N_PIXELS}},
+     .function = &display_04, .range = {ANYWHERE, N_ALL_PIXELS - ANYWHERE}},
 
     {"ray-transform", "From the camera's axes to the scene's", "primary_ray", "pixel_on_display",
      .function = &ray_transform_04, .range = {0, N_ALL_PIXELS}, .alone = are_turned_04,

@@ -8,9 +8,19 @@
 #include "judge.h"
 #include "oracle3d.h"
 
-// Pixels in three ranges: anywhere, in square pictures, in wide and high ones.
-enum { N_VIEWS = 600, N_PIXELS = 500, N_RANGES = 3, N_ALL_PIXELS = N_RANGES * N_PIXELS };
-enum { ANYWHERE, SQUARE, OBLONG };
+enum { N_VIEWS = 600, N_PIXELS = 500 };
+
+// Pixels: in square pictures, anywhere, all of the pictures by which the other tasks are judged (so
+// that who is wrong in a picture is wrong here, too), and in wide and high pictures. N_SENT is the
+// most that the pictures have.
+enum {
+    SQUARE = 0,
+    ANYWHERE = SQUARE + N_PIXELS,
+    SENT = ANYWHERE + N_PIXELS,
+    N_SENT = 96 * 64 + 49 * 67 + 3 * 48 * 48,
+    OBLONG = SENT + N_SENT,
+    N_ALL_PIXELS = OBLONG + N_PIXELS,
+};
 
 // The last inputs are the same in every job. They come last, so that what is wrong with them only
 // is known by that.

@@ -64,17 +64,18 @@ static Camera camera_of(ViewJob job, float fov)
     return (Camera){job.from, to_vec3(axes[0]), to_vec3(axes[1]), to_vec3(axes[2]), fov};
 }
 
-static PixelJob roll_pixel(Random *random, int range)
+static PixelJob roll_pixel(Random *random, int i)
 {
+    const int is_square = i < SQUARE + N_PIXELS, is_oblong = i >= OBLONG;
     const float fov = random_number(random, 0.25, 2.5);
     PixelJob job = {.camera = camera_of(roll_view(random), fov)};
     job.width = (i32)random_integer(random, 2, 300);
     job.height = (i32)random_integer(random, 2, 300);
-    if (range == SQUARE) {
+    if (is_square) {
         job.height = job.width;
-    } else if (range == OBLONG && random_integer(random, 0, 1)) {
+    } else if (is_oblong && random_integer(random, 0, 1)) {
         job.height = job.width * 2 + 1;
-    } else if (range == OBLONG) {
+    } else if (is_oblong) {
         job.width = job.height * 3;
     }
     job.x = (i32)random_integer(random, 0, job.width - 1);
@@ -122,6 +123,23 @@ static int roll_pictures(Random *random, Job04 *job)
     return result;
 }
 
+// What the kernel sends for every pixel of every picture. What these do not fill stays as it is
+// rolled.
+static void take_pixels(Job04 *job)
+{
+    PixelJob *sent = &job->pixels[SENT];
+    for (int k = 0; k < N_PICTURES; k++) {
+        const SceneJob3D *scene = &job->scenes[k];
+        for (int i = 0; i < scene->width * scene->height; i++) {
+            *sent++ = (PixelJob){.x = i % scene->width,
+                                 .y = i / scene->width,
+                                 .width = scene->width,
+                                 .height = scene->height,
+                                 .camera = scene->camera};
+        }
+    }
+}
+
 int roll_job_04(void *pointer, Random *random)
 {
     Job04 *job = pointer;
@@ -131,12 +149,14 @@ int roll_job_04(void *pointer, Random *random)
                                             : roll_view(random);
     }
     for (int i = 0; i < N_ALL_PIXELS; i++) {
-        job->pixels[i] = roll_pixel(random, i / N_PIXELS);
+        job->pixels[i] = roll_pixel(random, i);
         if (i >= FIRST_FAR_EYE) {
             job->pixels[i].camera.eye = (Vec3){4000, -3000, 2500};
         }
     }
-    return roll_pictures(random, job);
+    const int result = roll_pictures(random, job);
+    take_pixels(job);
+    return result;
 }
 
 int job_04_write_scene(const void *pointer, int k, FILE *file)

@@ -5,12 +5,13 @@
 #include "jobs.h"
 
 // One call of getContainingChild on the nodes in sections "children.relations" and
-// "children.boxes". Answered by a u32.
+// "children.boxes", from node `first` on. Answered by a u32.
 typedef struct ChildJob {
     i32 x;
     i32 y;
     u32 id;
+    u32 first;
 } ChildJob;
-LAYOUT_ASSERT(ChildJob, 12);
+LAYOUT_ASSERT(ChildJob, 16);
 
 #endif

@@ -14,5 +14,6 @@ kernel void probe_children(global const ChildJob *jobs, global const NodeRel *no
     const size_t i = get_global_id(0);
     const ChildJob job = jobs[i];
     Work work = {0, 0, 0, 0};
-    answers[i] = getContainingChild(job.x, job.y, job.id, nodes_Relations, nodes_BBox, &work);
+    answers[i] = getContainingChild(job.x, job.y, job.id, nodes_Relations + job.first,
+                                    nodes_BBox + job.first, &work);
 }
