@@ -90,7 +90,7 @@ handout:  ## install what is missing, pack what students get: LAB=03 [POINTS=fil
 	@$(say_which_lab)
 	@common/setup/install.sh handout
 	@$(MAKE) --no-print-directory pack
-pack: $(OUT)/tools/holes grader $(JUDGES)
+pack: $(OUT)/tools/holes $(JUDGES)
 	@$(own_points) tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout $(if $(own_points),$(OUT)/own-points.json)
 
 release:  ## install what is missing, make slides, notes and all handouts for lecturers, in build/release

@@ -41,18 +41,48 @@ static int has_strange_pixels(const Result *result, const char *task)
     return n_strange > 0 && n_explained == 0;
 }
 
-// Are there pixels, in a task that was answered, of which nothing says why they are wrong?
-static int has_unexplained_pixels(const Manifest *manifest, const int *is_untouched,
-                                  const Result *result)
+// Do these words declare something and set nothing: `float minDepth;`, `float red, green;`?
+static int declares_unset(const SourceWord *before, const SourceWord *name, const SourceWord *sign)
 {
-    int n_strange = 0, n_recognised = 0;
+    return before->kind == SOURCE_NAME && name->kind == SOURCE_NAME &&
+           !source_is_one_of(before, "return goto else case") && sign->kind == SOURCE_SIGN &&
+           source_is_one_of(sign, "; ,");
+}
+
+// Is there anything in an answer in which memcheck could find a fault?
+static int may_misuse_memory(const char *answer)
+{
+    SourceReader reader = source_reader(answer);
+    SourceWord words[3] = {0};
+    do {
+        memmove(words, words + 1, 2 * sizeof *words);
+        words[2] = source_next(&reader);
+        if (source_is(&words[2], SOURCE_SIGN, "[") ||
+            declares_unset(&words[0], &words[1], &words[2])) {
+            return 1;
+        }
+    } while (words[2].kind != SOURCE_END);
+    return 0;
+}
+
+// The task whose pixels are wrong, while nothing says why, and whose answer may misuse memory, or
+// NULL.
+static const Task *find_strange_task(const Manifest *manifest, const char *const answers[],
+                                     const Result *result)
+{
     for (int i = 0; i < result->n_checks; i++) {
-        n_recognised += is_failed(&result->checks[i]) && is_recognised(&result->checks[i]);
+        if (is_failed(&result->checks[i]) && is_recognised(&result->checks[i])) {
+            return NULL;
+        }
     }
     for (int t = 0; t < manifest->n_tasks; t++) {
-        n_strange += !is_untouched[t] && has_strange_pixels(result, manifest->tasks[t].id);
+        const Task *task = &manifest->tasks[t];
+        if (answers[t] != NULL && has_strange_pixels(result, task->id) &&
+            may_misuse_memory(answers[t])) {
+            return task;
+        }
     }
-    return n_strange > 0 && n_recognised == 0;
+    return NULL;
 }
 
 // `what` happened, and Oclgrind looks for its cause.
@@ -113,9 +143,17 @@ char *advice_on_local(const Manifest *manifest, const char *folder, int has_oclg
     return NULL;
 }
 
-char *advice_on_pixels(const Manifest *manifest, const int *is_untouched, const Result *result)
+char *advice_on_pixels(const Manifest *manifest, const char *const answers[], const Result *result)
 {
-    return manifest_has_kernels(manifest) && has_unexplained_pixels(manifest, is_untouched, result)
-               ? offer_memcheck(manifest, "Some pixels are wrong in no usual way")
-               : NULL;
+    const Task *task =
+        manifest_has_kernels(manifest) ? find_strange_task(manifest, answers, result) : NULL;
+    if (task == NULL) {
+        return NULL;
+    }
+    char *what = message_new("Some pixels are wrong in no usual way, and %s uses an array, or "
+                             "declares a variable without a value",
+                             task->id);
+    char *advice = offer_memcheck(manifest, what);
+    free(what);
+    return advice;
 }

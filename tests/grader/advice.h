@@ -22,9 +22,10 @@ char *advice_after_crash(const Manifest *manifest, const char *task, int has_ocl
 char *advice_on_local(const Manifest *manifest, const char *folder, int has_oclgrind);
 
 // Where the submission came to its end and drew pixels that are wrong in a way that looks like no
-// known mistake.
-//   is_untouched   for each task: does it stand as it was handed out?
-// Returns what to try, free() it; NULL where all is explained.
-char *advice_on_pixels(const Manifest *manifest, const int *is_untouched, const Result *result);
+// known mistake, and the answer does what Oclgrind could find a fault in: it uses an array, or
+// declares what it does not set.
+//   answers   for each task what stands in its hole; NULL: as it was handed out, or not known
+// Returns what to try, free() it; NULL where all is explained, or nothing would be found.
+char *advice_on_pixels(const Manifest *manifest, const char *const answers[], const Result *result);
 
 #endif

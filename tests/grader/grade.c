@@ -114,6 +114,21 @@ static int is_named(const Grading *grading)
     return is_named;
 }
 
+// Advice on wrong pixels; NULL where there is none. Owned by the caller.
+static char *advise_on_pixels(const Grading *grading)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    char *answers[MANIFEST_MAX_TASKS] = {NULL};
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        answers[t] = grading->is_untouched[t] ? NULL : grading_answer(grading, &manifest->tasks[t]);
+    }
+    char *advice = advice_on_pixels(manifest, (const char *const *)answers, &grading->result);
+    for (int t = 0; t < manifest->n_tasks; t++) {
+        free(answers[t]);
+    }
+    return advice;
+}
+
 // Say what to try next. What ended for a reason that is reported already needs nothing to find one.
 static void add_advice(Grading *grading)
 {
@@ -129,7 +144,7 @@ static void add_advice(Grading *grading)
         advice = advice_on_local(manifest, folder, has_oclgrind);
     }
     if (advice == NULL && whole->trouble == NULL && has_oclgrind) {
-        advice = advice_on_pixels(manifest, grading->is_untouched, &grading->result);
+        advice = advise_on_pixels(grading);
     }
     if (advice != NULL) {
         result_add_stage(&grading->result, "What to try next", CHECK_PASSED, advice);
@@ -246,7 +261,6 @@ static int grade(Grading *grading, const Settings *settings)
     if (grading_retry(grading) != 0) {
         return -1;
     }
-    session->allowance.is_looping = grading->whole.is_endless;
     add_run_stages(grading);
     if (grading_judge(grading) != 0) {
         return -1;
@@ -290,28 +304,6 @@ static int list_checks(const Settings *settings)
     return started == 0 ? EXIT_FULL_MARKS : EXIT_FAULT;
 }
 
-// Print what the solution's slower step uses. Handouts are packed with it.
-static int time_solution(const Settings *settings)
-{
-    static Session session;
-    Variant *solution[] = {&session.solution};
-    int failed = session_open(&session, settings);
-    if (failed == 0 && !session.has_solution) {
-        fprintf(stderr, "grade: --time-solution: solutions/%s is not here\n", settings->lab);
-        failed = -1;
-    }
-    failed = failed != 0 || session_run(&session, solution, 1) != 0 ||
-             session_trust_solution(&session) != 0;
-    if (!failed) {
-        const SandboxTime *used = session.allowance.solution;
-        const double compiling = used[STEP_COMPILING].processor;
-        const double running = used[STEP_RUNNING].processor;
-        printf("%.2f\n", compiling > running ? compiling : running);
-    }
-    session_close(&session);
-    return failed ? EXIT_FAULT : EXIT_FULL_MARKS;
-}
-
 int main(int argc, char **argv)
 {
     Settings settings;
@@ -321,9 +313,6 @@ int main(int argc, char **argv)
     }
     if (settings.list_checks) {
         return list_checks(&settings);
-    }
-    if (settings.time_solution) {
-        return time_solution(&settings);
     }
     static Grading grading;
     const double start = stats_clock_ms();

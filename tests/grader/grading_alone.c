@@ -95,6 +95,14 @@ static int is_due(const Grading *grading, int t, const char *own)
            (own != NULL || grading->alone[t].is_changed);
 }
 
+// May the endless loop of the whole be this task's? Then less time is enough to see it again. Where
+// it is known to be another's, this one gets the time of any first run.
+static int may_loop_again(const Grading *grading, int t)
+{
+    const char *end = grading->end_task;
+    return grading->whole.is_endless && (end == NULL || strcmp(end, task_of(grading, t)->id) == 0);
+}
+
 // Make the variant in which a task's answer is tried alone. Returns 1, 0 where there is no answer,
 // or -1 after one message.
 static int fill(Grading *grading, int t, const char *own)
@@ -107,6 +115,7 @@ static int fill(Grading *grading, int t, const char *own)
     }
     variant_free(alone);
     const int filled = alone_fill(&grading->session, task->id, task, answer, own, alone);
+    alone->is_again = may_loop_again(grading, t);
     free(answer);
     return filled == 0 ? 1 : -1;
 }
@@ -277,6 +286,23 @@ static int tell_cause(Grading *grading, int t, int i)
     return is_told;
 }
 
+// Say of a check that its answer does not come to its end alone, which is its own mistake whatever
+// else is wrong. How it ended is said only as far as a run cannot choose among many ways: by an
+// exit status it could tell what stand-ins hold.
+static void tell_end(CheckResult *check, const Variant *alone)
+{
+    const char *end = alone->is_endless    ? alone->trouble
+                      : alone->has_crashed ? "it crashes; an index or a pointer out of range?"
+                                           : "it does not come to its end";
+    const int is_found = check->status == CHECK_FAILED;
+    check_fail(check, (Diagnosis){.found = message_new("%s%stested alone, %s",
+                                                       is_found ? check->diagnosis.found : "",
+                                                       is_found ? "; " : "", end),
+                                  .evidence = check->diagnosis.evidence});
+    check->is_explained = 1;
+    check->is_told_alone = 1;
+}
+
 // What is said of check number i of task t, which failed alone, too, or by nobody else's fault.
 //   is_others   another answer may have a part in what was found in the whole
 static void note_own(Grading *grading, int t, int i, int is_others)
@@ -290,18 +316,20 @@ static void note_own(Grading *grading, int t, int i, int is_others)
         return;
     }
     if (alone->build_log != NULL) {
+        // What does not compile is reported once, under "Compiling".
         check->alone = "without your other answers it does not compile, so it was not tested alone";
     } else if (alone->trouble != NULL) {
-        check->alone = "tested alone, it does not come to its end";
-    } else if (!tell_alone(grading, t, i) && !tell_cause(grading, t, i)) {
+        tell_end(check, alone);
+    } else if (tell_alone(grading, t, i) || tell_cause(grading, t, i)) {
+        return;
+    } else if (check->status == CHECK_NOT_RUN) {
+        check_fail(check, diagnosis_new("it fails when tested alone; what is wrong may be named "
+                                        "once %s",
+                                        grading->whole.build_log != NULL
+                                            ? "all files compile"
+                                            : "the program comes to its end"));
+    } else {
         check->alone = "it also fails when tested alone";
-    }
-    // What does not compile is reported once, under "Compiling".
-    if (check->status == CHECK_NOT_RUN && check->alone != NULL && alone->build_log == NULL) {
-        check_fail(check, diagnosis_new("%s: fix what ends the program first%s%s, then grade again",
-                                        check->alone, grading->end_task != NULL ? ", " : "",
-                                        grading->end_task != NULL ? grading->end_task : ""));
-        check->alone = NULL;  // it is said: blame.c need not say it, too
     }
 }
 

@@ -208,6 +208,7 @@ static int confirm_kernels(Grading *grading)
         leave_kernels(grading);
         return 0;
     }
+    grading->kernels.is_again = grading->whole.is_endless;
     if (session_take_kernels(&grading->session, folder, &grading->kernels) != 0 ||
         session_run(&grading->session, variants, 1) != 0) {
         return -1;

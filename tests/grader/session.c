@@ -67,19 +67,28 @@ int session_fill(const Session *session, const char *name, const HoleAnswer answ
     return result;
 }
 
-int session_open_kernels(const Session *session, const char *name, Variant *variant)
+// Make a variant of the lab's files as they are handed out; with the kernels left out where others
+// take their place. Returns 0, or -1 after one message.
+static int open_handed_out(const Session *session, const char *name, int has_kernels,
+                           Variant *variant)
 {
     char path[PATH_MAX];
     int result = variant_open(&session->workshop, name, variant, path);
-    variant->has_only_kernels = 1;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
-        if (manifest_is_host_file(file)) {
+        if (has_kernels || manifest_is_host_file(file)) {
             char *text = skeleton_read(&session->manifest, file);
             result = text == NULL ? -1 : session_write(path, file, text);
             free(text);
         }
     }
+    return result;
+}
+
+int session_open_kernels(const Session *session, const char *name, Variant *variant)
+{
+    const int result = open_handed_out(session, name, 0, variant);
+    variant->has_only_kernels = 1;
     return result;
 }
 
@@ -135,13 +144,13 @@ int session_open(Session *session, const Settings *settings)
         write_job(session, &session->judge, 0) != 0) {
         return -1;
     }
-    if (!session->has_solution) {
-        return allowance_read_packed(&session->allowance);
-    }
-    const int result = session_fill(session, "solution", NULL, 0, &session->solution);
+    const int result = session->has_solution
+                           ? session_fill(session, "solution", NULL, 0, &session->solution)
+                           : open_handed_out(session, "solution", 1, &session->solution);
     session->solution.purpose = VARIANT_SOLUTION;
+    session->allowance.yardstick = session->has_solution ? NULL : &session->solution;
     session->has_kept_answers =
-        settings->kept_answers != NULL &&
+        session->has_solution && settings->kept_answers != NULL &&
         kept_answers_load(settings->kept_answers, settings->seed, &session->solution.answers,
                           &session->allowance) == 0;
     return result;

@@ -19,7 +19,7 @@ typedef struct Session {
     Manifest manifest;
     Workshop workshop;
     int has_solution;      // 0 in a handout: the oracle alone judges
-    Variant solution;      // where there is one
+    Variant solution;      // or where there is none, the lab's files as they are handed out
     int has_kept_answers;  // they were kept (kept_answers.h): the solution is not run again
     Allowance allowance;   // how long what is handed in may take
 } Session;

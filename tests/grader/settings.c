@@ -68,8 +68,6 @@ static const OptionRow ROWS[] = {
      .meaning = "keep the solution's answers there, for one lab and one device"},
     {"list-checks", NULL, OPTION_FLAG, PLACE(settings.list_checks),
      .meaning = "print the lab's checks: id, task, points"},
-    {"time-solution", NULL, OPTION_FLAG, PLACE(settings.time_solution),
-     .meaning = "print the seconds of processor time that the solution uses"},
     {"help", NULL, OPTION_ANSWER, PLACE(help), .meaning = "show this and end"},
 };
 #define N_ROWS ((int)(sizeof ROWS / sizeof ROWS[0]))

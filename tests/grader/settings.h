@@ -23,7 +23,6 @@ typedef struct Settings {
     int deadline;         // seconds of wall time from the start, 0 for none: see allowance.h
     SandboxKind sandbox;  // SANDBOX_ANY: the first that works here
     int list_checks;      // only print the lab's checks
-    int time_solution;    // only print how long the solution takes
 } Settings;
 
 // Read the command line. Returns 0, 1 when --help was answered, or -1 after one message on stderr.

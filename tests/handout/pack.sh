@@ -6,14 +6,12 @@
 #
 # It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, the grader, this
 # lab's probe, the judge as a program, and a README of its own; never anything of this lab's solution or of
-# later labs, nor any text of the judge. Of the course only tracked files go in. The same commit gives the same bytes, other than where the machine it is packed on
-# is so slow that students are given more time. TOOLS is the folder with the built tools `holes` and `grade`.
-# MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c).
+# later labs, nor any text of the judge. Of the course only tracked files go in. The same commit gives the same
+# bytes. TOOLS is the folder with the built tool `holes`. MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c).
 set -eu
 unset TAR_OPTIONS  # they come before those below
 
 holes=$1/holes
-grade=$1/grade
 judges=$(dirname "$1")/judges
 folder=$3
 
@@ -104,12 +102,6 @@ for machine in x86_64 aarch64; do
     cp "$judges/$machine/tools/judge-$number" "$root/tests/judge/judge-$machine"
 done
 cp tests/handout/judge.mk "$root/tests/judge/"
-
-# A submission may take a multiple of the time of our solution, which is not in here
-# (tests/grader/run/allowance.h). Rounded up to 2, 8 or 32, it is mostly the same on every machine.
-seconds=$("$grade" --build "$(dirname "$1")" --lab "$lab" --seed 1 --time-solution) || fail "the solution of $lab cannot be timed"
-mkdir -p "$root/tests"
-echo "$seconds" | awk '{ for (most = 2; most < $1; most *= 4); print most }' >"$root/tests/solution-seconds"
 
 # ---- Its README -------------------------------------------------------------------------------
 

@@ -252,7 +252,7 @@ int memcheck_passes(Memcheck *memcheck)
 {
     const int given = memcheck->session.settings->time_limit;
     const Allowance allowance = {.given_seconds = given > 0 ? given : PASS_SECONDS};
-    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1);
+    const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1, 0);
     SandboxResult results[N_PASSES] = {0};
     printf("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
            "%.0f s of processor time each at most.\n",

@@ -128,8 +128,9 @@ printf '    return nodes_Relations[id + 0x7fffffff].id + (uint)(x + y);\n' |
 printf '    color = (float4)(circles[id + 0x7fffffff].r);\n' | answer implicit2DRenderer_KD.cl leaf_loop
 # shellcheck disable=SC2046,SC2086 # options
 check "two answers that crash leave the points of the third" grades 1 35 $(kept 03) $submission
-check "what does not come to its end alone says so" grep -q "fix what ends the program first" "$reports/results.json"
-ok "$(grep -c 'tested alone, it does.*tested alone, it does' "$reports/results.json")" "and says it once" \
+check "what does not come to its end alone says so" grep -q "tested alone, it crashes" "$reports/results.json"
+ok "$(grep -c "first, then grade again" "$reports/results.json")" "and sends to no other task" "$(cat "$said")"
+ok "$(grep -c 'tested alone, it crashes.*tested alone, it crashes' "$reports/results.json")" "and says it once" \
     "$(cat "$said")"
 
 # ---- What make says ------------------------------------------------------------------------------

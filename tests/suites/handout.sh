@@ -21,24 +21,10 @@ fi
 
 # pack LAB FOLDER: says nothing.
 pack() {
-    tests/handout/pack.sh "$scratch/built/tools" "$1" "$2" >/dev/null
+    tests/handout/pack.sh "$build/tools" "$1" "$2" >/dev/null
 }
 
-# What is built, with a grader for packing that times the solution of a lab with kernels once: the second
-# pack is told what the first one was. What it takes is rounded so much that it is mostly the same.
 case $build in /*) ;; *) build=$PWD/$build ;; esac
-mkdir -p "$scratch/built/tools"
-ln -s "$build/judges" "$scratch/built"
-ln -s "$build/tools/holes" "$scratch/built/tools"
-cat >"$scratch/built/tools/grade" <<END
-#!/bin/sh
-# --build FOLDER --lab LAB --seed 1 --time-solution
-shift 2
-kept="$scratch/built/seconds-\$2"
-[ -z "\$(find "solutions/\$2" -name '*.cl')" ] || ! [ -s "\$kept" ] || exec cat "\$kept"
-"$build/tools/grade" --build "$build" "\$@" >"\$kept" && cat "\$kept"
-END
-chmod +x "$scratch/built/tools/grade"
 
 # ---- The archives -------------------------------------------------------------------------------
 
@@ -74,14 +60,14 @@ laid_out() {
 only_its_files() {
     (cd "$1" && find . -type f) | sed 's|^\./||' | sort >"$scratch/files"
     git ls-files | sort >"$scratch/tracked"
-    strays=$(comm -23 "$scratch/files" "$scratch/tracked" | grep -v -x -e 'tests/solution-seconds' \
+    strays=$(comm -23 "$scratch/files" "$scratch/tracked" | grep -v -x \
         -e 'tests/judge/judge-x86_64' -e 'tests/judge/judge-aarch64' -e "tests/skeletons/$2/[^/]*")
     [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
         -e '^tests/desk/' -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
         -e '^tests/probes/[^/]*/jobs_[0-9]*\.h$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
-        -e '^tests/scenes/' -e '^tests/solution-seconds$' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')
+        -e '^tests/scenes/' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')
     [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
     grep -q '^.gitattributes$' "$scratch/files" || { echo "git may change its ends of lines"; return 1; }
     sed 's/^[0-9]* //' "$scratch/first/$2.txt" | LC_ALL=C sort | diff - "$scratch/files" ||

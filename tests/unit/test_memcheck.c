@@ -123,8 +123,9 @@ static void see(CheckResult *check, Seen seen)
     check_fail(check, diagnosis_seen(message_new("found 1"), seen.cause, seen.evidence));
 }
 
-// What is offered after a failed check of a task, or two; `other` or NULL. "" for nothing.
-static const char *advice_on_two(const char *file, int is_untouched, Seen seen, const Seen *other)
+// What is offered after a failed check of a task with this answer, or two; `other` or NULL. "" for
+// nothing.
+static const char *advice_on_two(const char *file, const char *answer, Seen seen, const Seen *other)
 {
     static char said[512];
     Manifest manifest = {.lab = "03-kdtree-2d-render",
@@ -137,23 +138,42 @@ static const char *advice_on_two(const char *file, int is_untouched, Seen seen, 
     if (other != NULL) {
         see(&result.checks[1], *other);
     }
-    char *advice = advice_on_pixels(&manifest, &is_untouched, &result);
+    char *advice = advice_on_pixels(&manifest, &answer, &result);
     snprintf(said, sizeof said, "%s", advice ? advice : "");
     free(advice);
     result_free(&result);
     return said;
 }
 
+static const char asks[] = "for (int i = 0; i < 9; i++) color = circles[i].r;";
+
 static const char *advice(const char *file, Seen seen)
 {
-    return advice_on_two(file, 0, seen, NULL);
+    return advice_on_two(file, asks, seen, NULL);
 }
 
 Test(advice, memcheck_is_offered_where_it_may_help)
 {
-    cr_expect(strstr(advice("a.cl", strange),
-                     "Some pixels are wrong in no usual way: `make memcheck LAB=03`"));
-    cr_expect_str_neq(advice_on_two("a.cl", 0, strange, &strange), "");
+    cr_expect(
+        strstr(advice("a.cl", strange),
+               "Some pixels are wrong in no usual way, and descent uses an array, or declares "
+               "a variable without a value: `make memcheck LAB=03`"));
+    cr_expect_str_neq(advice_on_two("a.cl", asks, strange, &strange), "");
+}
+
+// An answer in which there is nothing for it to find.
+Test(advice, memcheck_is_offered_only_for_arrays_and_for_what_is_not_set)
+{
+    static const char *const may[] = {"uint a[4];", "float minDepth;", "float red, green = 1;"};
+    static const char *const may_not[] = {"const int x = get_global_id(0) + width / 2;",
+                                          "int x = 0, y = 1; if (x >= width) return; // a[i]",
+                                          "goto end; end: return x;", ""};
+    for (size_t i = 0; i < sizeof may / sizeof *may; i++) {
+        cr_expect_str_neq(advice_on_two("a.cl", may[i], strange, NULL), "", "%s", may[i]);
+    }
+    for (size_t i = 0; i < sizeof may_not / sizeof *may_not; i++) {
+        cr_expect_str_eq(advice_on_two("a.cl", may_not[i], strange, NULL), "", "%s", may_not[i]);
+    }
 }
 
 Test(advice, memcheck_is_not_offered_where_the_cause_is_known)
@@ -165,12 +185,12 @@ Test(advice, memcheck_is_not_offered_where_the_cause_is_known)
     cr_expect_str_eq(advice("a.cl", flipped), "");
     cr_expect_str_eq(advice("a.cl", empty), "");
     cr_expect_str_eq(advice("a.cl", values), "");
-    cr_expect_str_eq(advice_on_two("a.cl", 1, strange, NULL), "", "an untouched skeleton");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, &values), "",
+    cr_expect_str_eq(advice_on_two("a.cl", NULL, strange, NULL), "", "an untouched skeleton");
+    cr_expect_str_eq(advice_on_two("a.cl", asks, strange, &values), "",
                      "a function check of the same task");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, &unwritten), "",
+    cr_expect_str_eq(advice_on_two("a.cl", asks, strange, &unwritten), "",
                      "pixels that were not written");
-    cr_expect_str_eq(advice_on_two("a.cl", 0, strange, &rays), "", "rays of the same scene");
+    cr_expect_str_eq(advice_on_two("a.cl", asks, strange, &rays), "", "rays of the same scene");
     cr_expect_str_eq(advice("a.c", strange), "", "a lab without kernels");
 }
 
@@ -185,13 +205,13 @@ Test(advice, memcheck_is_offered_where_only_another_task_is_named)
                          .n_files = 1,
                          .tasks = {{.id = "descent"}, {.id = "leaf_loop"}},
                          .n_tasks = 2};
-    const int is_untouched[] = {0, 0};
+    const char *const answers[] = {asks, asks};
     Result result = {.n_checks = 2};
     see(&result.checks[0], blamed);
     result.checks[0].is_explained = 0;  // as blame_others() has it
     see(&result.checks[1], (Seen){.cause = {.says = "the boundary belongs to it"}});
     result.checks[1].task = "leaf_loop";
-    char *said = advice_on_pixels(&manifest, is_untouched, &result);
+    char *said = advice_on_pixels(&manifest, answers, &result);
     cr_expect(said != NULL && strstr(said, "Some pixels are wrong in no usual way"), "%s", said);
     free(said);
     result_free(&result);

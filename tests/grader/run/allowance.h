@@ -1,5 +1,10 @@
-// How much time a submission's compiler and probe may use: what our solution used for the same,
-// times a factor. So the limit is right on any machine and device, and for any job.
+// How much time a submission's compiler and probe may use: what our solution used for the same in
+// this session, times a factor. So the limit is right on any machine and device, for any job, and
+// however busy the machine is.
+//
+// A handout has no solution. There the lab's files run in its place, as they are handed out: most of
+// the time is the device's compiler's, which needs as much for them (78 to 98 of 100, lab by lab).
+// They run only once something else takes long, as what they need makes no difference until then.
 //
 // A submission is run more than once: as a whole, for the line of a crash, and each failed answer
 // alone. All its runs together have a limit, too, so that a grading comes to an end.
@@ -16,17 +21,20 @@ typedef struct Allowance {
     int given_seconds;              // the instructor's own limit, or 0
     SandboxTime solution[N_STEPS];  // what it used, where that is known
     int is_known[N_STEPS];
-    int is_packed;    // it is from allowance_read_packed()
+    struct Variant *yardstick;  // what runs in the solution's place; NULL: nothing, or it has run
     int is_for_one;   // all that runs is one submission's: together it may use allowance_total()
-    int is_looping;   // one of its runs did not come to an end: the others may use half as much
     double spent;     // of that, seconds of processor time and asleep
     double deadline;  // when it must be graded, as seconds_now() has it; 0 for never
 } Allowance;
 
 // What a submission may use in a step. As long as it is not known what the solution needs, that is
 // as much as for ours. Never less than a second, so that what is run at all can begin.
-//   n   how many of its runs go on side by side
-SandboxTime allowance_of(const Allowance *allowance, Step step, int n);
+//   n          how many of its runs go on side by side
+//   is_again   it may have the endless loop that the whole met before: then it gets less
+SandboxTime allowance_of(const Allowance *allowance, Step step, int n, int is_again);
+
+// Has a run used so much that it must be known what it may use?
+int allowance_is_asked(const Allowance *allowance, SandboxTime used);
 
 // What all runs of one submission may use together: the time of a step, running and asleep, some
 // times over. Side by side with what is left of it; INFINITY where several submissions share the
@@ -43,11 +51,5 @@ void allowance_charge(Allowance *allowance, const SandboxResult *result);
 
 // Note what the solution used in a step.
 void allowance_note(Allowance *allowance, Step step, SandboxTime used);
-
-// For a handout, which has no solution to run: take in what it needed when the handout was packed,
-// rounded up (handout/pack.sh), from the file SOLUTION_SECONDS_PATH. Returns 0, or -1 after one
-// message on stderr.
-#define SOLUTION_SECONDS_PATH "tests/solution-seconds"
-int allowance_read_packed(Allowance *allowance);
 
 #endif

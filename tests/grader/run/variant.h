@@ -10,7 +10,7 @@
 // What a variant is run for.
 typedef enum VariantPurpose {
     VARIANT_JUDGED,    // a submission, or a part of one
-    VARIANT_SOLUTION,  // ours: what it uses says what others may
+    VARIANT_SOLUTION,  // ours, or what is handed out in its place: what it uses says what others may
     // No points depend on the rest: a busy machine may fail them.
     VARIANT_CRASH,  // built and run with the address sanitizer: see variant_find_line()
     VARIANT_RACE,   // the lab's race runs in the place of its probe: see variant_race()
@@ -33,9 +33,10 @@ typedef struct Variant {
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
     SandboxTime allowed;                 // what it may use then
-    int was_starved;                     // in this step the machine had no time for it once
-    int is_left_out;                     // no time was left to begin with it
-    int is_compiled;                     // as far as that goes: build_log is set, or it can run
+    int is_again;      // it may have the endless loop that the whole met: see allowance_of()
+    int was_starved;   // in this step the machine had no time for it once
+    int is_left_out;   // no time was left to begin with it
+    int is_compiled;   // as far as that goes: build_log is set, or it can run
     int is_second;     // its kernels are compiled by SECOND_COMPILER, after a run that ended early
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers

@@ -140,8 +140,9 @@ static const struct timespec pause_between_looks = {.tv_nsec = 10 * 1000 * 1000}
 // Let a variant use what it may beside n - 1 others, also while it runs.
 static void time_allow(Variant *variant, Step step, const Allowance *allowance, int n)
 {
-    variant->allowed =
-        variant->purpose == VARIANT_SOLUTION ? allowance_ours() : allowance_of(allowance, step, n);
+    variant->allowed = variant->purpose == VARIANT_SOLUTION
+                           ? allowance_ours()
+                           : allowance_of(allowance, step, n, variant->is_again);
     if (variant->run != NULL) {
         sandbox_allow(variant->run, variant->allowed);
     }
@@ -278,13 +279,16 @@ static void say_what_runs(const Variant *variant, Step step, int number, int n)
         progress_say("looking for the line of the crash");
     } else if (variant->purpose == VARIANT_RACE) {
         progress_say("measuring how fast it is");
+    } else if (variant->purpose == VARIANT_SOLUTION && number == n) {
+        progress_say("measuring how much time this machine needs");
     } else {
         progress_say(step == STEP_COMPILING ? "compiling" : "running your program");
     }
 }
 
-// Wait until one of those that run has ended. Returns its number.
-static int any_wait(Variant *const variants[], int n, Step step)
+// Wait until one of those that run has ended. Returns its number; or -1 if one runs for so long that
+// it must be known first what it may use.
+static int any_wait(Variant *const variants[], int n, Step step, const Allowance *allowance)
 {
     int first = 0;
     while (variants[first]->run == NULL) {
@@ -296,6 +300,10 @@ static int any_wait(Variant *const variants[], int n, Step step)
             if (variants[i]->run != NULL && sandbox_has_ended(variants[i]->run)) {
                 progress_hide();
                 return i;
+            }
+            if (variants[i]->run != NULL &&
+                allowance_is_asked(allowance, sandbox_used(variants[i]->run))) {
+                return -1;
             }
         }
         progress_show();
@@ -310,6 +318,15 @@ static int count_running(Variant *const variants[], int n)
         n_running += variants[i]->run != NULL;
     }
     return n_running;
+}
+
+// Where the solution is not here: run what runs in its place, beside all that runs already. Returns
+// 0, or -1 after one message.
+static int yardstick_run(const Workshop *workshop, Allowance *allowance)
+{
+    Variant *const variants[] = {allowance->yardstick};
+    allowance->yardstick = NULL;
+    return variants_run(workshop, variants, 1, allowance);
 }
 
 // Run a step of those variants that need and bear it, side by side.
@@ -328,8 +345,9 @@ static int step_run(const Workshop *workshop, Variant *const variants[], int n, 
                     time_allow(variants[i], step, allowance, n_running);
                 }
             }
-            const int ended = any_wait(variants, n, step);
-            result |= step_take(workshop, variants[ended], step, allowance);
+            const int ended = any_wait(variants, n, step, allowance);
+            result |= ended < 0 ? yardstick_run(workshop, allowance)
+                                : step_take(workshop, variants[ended], step, allowance);
         }
         n_running = count_running(variants, n);
     }

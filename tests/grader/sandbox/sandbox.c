@@ -101,6 +101,12 @@ void sandbox_allow(SandboxRun *run, SandboxTime time)
     run->report->wall_allowed = time.wall;
 }
 
+SandboxTime sandbox_used(const SandboxRun *run)
+{
+    const SandboxReport *report = run->report;
+    return (SandboxTime){.processor = report->processor_used, .asleep = report->asleep_used};
+}
+
 SandboxRun *sandbox_start(const SandboxCommand *command)
 {
     Walls walls;

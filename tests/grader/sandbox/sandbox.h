@@ -141,6 +141,9 @@ SandboxRun *sandbox_start(const SandboxCommand *command);
 // Allow it other times than it was started with, also while it runs.
 void sandbox_allow(SandboxRun *run, SandboxTime time);
 
+// What it had used when it was looked at last, a moment ago.
+SandboxTime sandbox_used(const SandboxRun *run);
+
 // Has it ended, so that waiting for it takes no time?
 int sandbox_has_ended(const SandboxRun *run);
 

@@ -177,6 +177,8 @@ static int census_take(Watch *watch)
     Census census = {0};
     census_processes(watch->walls, outermost(watch), &census);
     clock_look(&watch->clock, &census);
+    watch->report->processor_used = watch->clock.used.processor;
+    watch->report->asleep_used = watch->clock.used.asleep;
     census_folders(watch->walls, &census);
     watch->clock.looking = seconds_own() - begin;
     watch->report->limit = census_limit(&census, &watch->walls->command);

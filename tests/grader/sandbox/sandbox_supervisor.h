@@ -10,7 +10,8 @@
 typedef struct SandboxReport {
     // What the command may use, in seconds; the grader may change it at any time.
     _Atomic double processor_allowed, asleep_allowed, wall_allowed;
-    int is_complete;  // set last: the supervisor itself came to its end
+    _Atomic double processor_used, asleep_used;  // when it was looked at last
+    int is_complete;                             // set last: the supervisor itself came to its end
     SandboxOutcome outcome;
     int exit_status;
     int signal;

@@ -35,7 +35,6 @@ static int is_fault(const Check *check, const CheckResult *found)
 // The tasks that a check needs and whose answers are wrong for certain.
 typedef struct Culprits {
     const char *first;  // NULL where there is none
-    int is_before;      // it comes before the check's own task in the order of work
     int are_more;
     int is_own;  // the check's own task is one, too
 } Culprits;
@@ -54,7 +53,6 @@ static Culprits culprits_of(const Check *checks, const Result *result, int i)
             is_fault(&checks[j], found) && !found->passes_alone) {
             culprits.are_more |=
                 culprits.first != NULL && strcmp(culprits.first, checks[j].task) != 0;
-            culprits.is_before |= j < i;
             culprits.first = culprits.first != NULL ? culprits.first : checks[j].task;
         }
     }
@@ -68,10 +66,9 @@ static Diagnosis without_cause(const CheckResult *check, Culprits culprits)
     const Diagnosis *diagnosis = &check->diagnosis;
     const int is_known = check->passes_alone && !culprits.are_more;
     char *cause = NULL;
-    if (check->alone != NULL && culprits.is_before) {
-        cause = message_new("%s: fix %s first, then grade again", check->alone, culprits.first);
-    } else if (check->alone != NULL) {
-        cause = message_new("%s", check->alone);
+    if (check->alone != NULL) {
+        cause = message_new("%s; %s is wrong, too, and may have a part in what was found",
+                            check->alone, culprits.first);
     } else if (is_known) {
         cause = message_new("alone it passes: %s is wrong, and has a part in this", culprits.first);
     }
