@@ -87,10 +87,10 @@ static inline void answer_spheres(Writer *writer, const Sections *job, const cha
 static inline void answer_levels(Writer *writer, const Sections *job, const char *name)
 {
     size_t n;
-    const i32 *levels = asked(job, name, sizeof *levels, &n);
+    const LevelJob *levels = asked(job, name, sizeof *levels, &n);
     i32 *out = calloc(n + 1, sizeof *out);
     for (size_t i = 0; i < n; i++) {
-        out[i] = fits_todo(levels[i]);
+        out[i] = fits_todo((int)levels[i]);
     }
     answer(writer, name, out, n * sizeof *out);
     free(out);

@@ -60,13 +60,13 @@ static void answer_leaves_3d(Writer *writer, const Sections *job)
     answer(writer, "pack", packed, n * sizeof *packed);
     free(packed);
 
-    const i32 *levels = sections_find_any(job, "todo", &n_bytes);
-    n = n_bytes / sizeof *levels;
-    i32 *todo = calloc(n, sizeof *todo);
-    for (size_t i = 0; i < n; i++) {
-        todo[i] = fits_todo(levels[i]);
+    const LevelJob *levels = sections_find_any(job, "todo", &n_bytes);
+    const size_t n_levels = n_bytes / sizeof *levels;
+    i32 *todo = calloc(n_levels, sizeof *todo);
+    for (size_t i = 0; i < n_levels; i++) {
+        todo[i] = fits_todo((int)levels[i]);
     }
-    answer(writer, "todo", todo, n * sizeof *todo);
+    answer(writer, "todo", todo, n_levels * sizeof *todo);
     free(todo);
 }
 

@@ -112,14 +112,14 @@ static void describe_pack(const void *input, char *words, size_t n_bytes)
 
 static void describe_level(const void *input, char *words, size_t n_bytes)
 {
-    snprintf(words, n_bytes, "level %d", *(const i32 *)input);
+    snprintf(words, n_bytes, "level %d", (int)*(const LevelJob *)input);
 }
 
 static const ProbeStep steps[] = {
     ON_HOST("splits", "choose_split", BBox3D, tree3d_describe_box),
     ON_HOST("overlaps", "sphere_overlaps_box", SphereBoxJob, describe_sphere_and_box),
     ON_HOST("pack", "pack_leaf_range", PackJob, describe_pack),
-    ON_HOST("todo", "fits_todo", i32, describe_level),
+    ON_HOST("todo", "fits_todo", LevelJob, describe_level),
     ON_SCENES("tree", "while kdtree3d_build built a whole tree", NULL),
 };
 

@@ -27,7 +27,7 @@ typedef struct Job06 {
     BBox3D splits[N_SPLITS];
     SphereBoxJob overlaps[N_OVERLAPS];
     PackJob packs[N_PACKS];
-    i32 levels[N_LEVELS];
+    LevelJob levels[N_LEVELS];
     TreeScene3D scenes[N_SCENES];
     Growth too_deep;  // the tree that must be refused, as it would be
 } Job06;

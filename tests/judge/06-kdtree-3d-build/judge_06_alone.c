@@ -90,10 +90,10 @@ int packs_alone_06(const void *job, int k, const Sections *answers)
 // ---- fits_todo: once for each inner node --------------------------------------------------------
 
 // The levels that are asked about, n of them; NULL without memory. Owned by the caller.
-static i32 *list_levels(const Job06 *job, size_t *n)
+static LevelJob *list_levels(const Job06 *job, size_t *n)
 {
     const Growth *growths[] = {&job->job.growth, &job->too_deep};
-    i32 *levels = calloc((size_t)growths[0]->n_nodes + growths[1]->n_nodes, sizeof *levels);
+    LevelJob *levels = calloc((size_t)growths[0]->n_nodes + growths[1]->n_nodes, sizeof *levels);
     *n = 0;
     for (int g = 0; levels != NULL && g < 2; g++) {
         int level = 0;
@@ -110,7 +110,7 @@ static i32 *list_levels(const Job06 *job, size_t *n)
 static int write_level_calls(const Job06 *job, FILE *file)
 {
     size_t n;
-    i32 *levels = list_levels(job, &n);
+    LevelJob *levels = list_levels(job, &n);
     const int result =
         levels == NULL ? -1 : section_write(file, "replay.todo", levels, n * sizeof *levels);
     free(levels);
@@ -120,7 +120,7 @@ static int write_level_calls(const Job06 *job, FILE *file)
 int levels_alone_06(const void *job, const JudgeCheck *check, const Sections *answers)
 {
     size_t n;
-    i32 *levels = list_levels(job, &n);
+    LevelJob *levels = list_levels(job, &n);
     const i32 *found = sections_find(answers, "replay.todo", n * sizeof *found);
     int is_right = levels != NULL && found != NULL;
     (void)check;

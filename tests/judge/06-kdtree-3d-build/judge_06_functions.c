@@ -186,7 +186,7 @@ const Function overlap_06 = {
 // ---- fits_todo ----------------------------------------------------------------------------------
 
 #define GIVEN                                                                                      \
-    const i32 in = ((const Job06 *)job)->levels[i];                                                \
+    const i32 in = (i32)((const Job06 *)job)->levels[i];                                           \
     const int found = ((const i32 *)answers)[i]
 #define IS_FOUND(expected) ((found != 0) == (expected))
 

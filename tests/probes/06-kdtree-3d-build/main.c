@@ -60,7 +60,7 @@ static void call_pack_leaf_range(const Probe *probe, const void *input, void *po
 static void call_fits_todo(const Probe *probe, const void *input, void *answer)
 {
     (void)probe;
-    *(i32 *)answer = fits_todo(*(const i32 *)input);
+    *(i32 *)answer = fits_todo((int)*(const LevelJob *)input);
 }
 
 // ---- Replays ------------------------------------------------------------------------------------
@@ -104,11 +104,11 @@ int main(void)
         {"splits", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
         {"overlaps", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
         {"pack", sizeof(PackJob), sizeof(PackAnswer3D), .call = call_pack_leaf_range},
-        {"todo", sizeof(i32), sizeof(i32), .call = call_fits_todo},
+        {"todo", sizeof(LevelJob), sizeof(i32), .call = call_fits_todo},
         {"replay.split", sizeof(BBox3D), sizeof(KdSplit), .call = call_choose_split},
         {"replay.overlap", sizeof(SphereBoxJob), sizeof(i32), .call = call_sphere_overlaps_box},
         {"replay.leaves", .answer = replay_pack_leaf},
-        {"replay.todo", sizeof(i32), sizeof(i32), .call = call_fits_todo},
+        {"replay.todo", sizeof(LevelJob), sizeof(i32), .call = call_fits_todo},
     };
     Probe probe;
     probe_open(&probe);
