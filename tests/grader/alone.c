@@ -7,8 +7,10 @@
 #include "holes.h"
 #include "jobs.h"
 #include "lot.h"
+#include "message.h"
 #include "path.h"
 #include "skeleton.h"
+#include "source_words.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -121,6 +123,25 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
     return result == 0 ? write_job(session, task, variant) : -1;
 }
 
+// An answer, and behind it the end of each macro that it defines: in another task's lines it would
+// change what stands there. Takes the answer over; NULL stays NULL.
+static char *seal(char *answer)
+{
+    SourceReader reader = source_reader(answer != NULL ? answer : "");
+    char *sealed = answer != NULL ? message_new("%s", answer) : NULL;
+    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
+         word = source_next(&reader)) {
+        if (word.in_directive && source_is(&word, SOURCE_NAME, "define")) {
+            word = source_next(&reader);
+            char *longer = message_new("%s#undef %s\n", sealed, word.text);
+            free(sealed);
+            sealed = longer;
+        }
+    }
+    free(answer);
+    return sealed;
+}
+
 // One of the lab's files as it is handed out, with all of the student's answers that can be put in.
 // NULL after one message.
 static char *answers_text(const Manifest *manifest, const char *file, const char *own)
@@ -130,7 +151,7 @@ static char *answers_text(const Manifest *manifest, const char *file, const char
     path_make(path, "%s/%s", own, file);
     for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        char *answer = strcmp(task->file, file) == 0 ? hole_load(path, task->id) : NULL;
+        char *answer = strcmp(task->file, file) == 0 ? seal(hole_load(path, task->id)) : NULL;
         char *filled = answer != NULL ? hole_fill(text, task->id, answer) : NULL;
         if (filled != NULL) {
             free(text);
@@ -147,8 +168,13 @@ int answers_fill(Session *session, const char *name, const char *own, Variant *v
     char folder[PATH_MAX];
     int result = variant_open(&session->workshop, name, variant, folder);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
+        char path[PATH_MAX];
         char *text = answers_text(manifest, manifest->files[i], own);
+        path_make(path, "%s/%s", own, manifest->files[i]);
+        char *own_text = text_file_read(path);
+        variant->is_changed |= text != NULL && own_text != NULL && strcmp(text, own_text) != 0;
         result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
+        free(own_text);
         free(text);
     }
     return result;

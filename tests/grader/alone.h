@@ -20,9 +20,11 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
                const char *own, Variant *variant);
 
 // Make a variant of all answers together, with what stands beside the marked lines left out: the
-// files as they are handed out, with what is between the student's markers.
+// files as they are handed out, with what is between the student's markers. A macro ends with the
+// answer that defines it.
 //   own   the folder of the student's files
-// Returns 0, or -1 after one message.
+// Sets variant->is_changed where the student's files are other than that. Returns 0, or -1 after
+// one message.
 int answers_fill(Session *session, const char *name, const char *own, Variant *variant);
 
 // Does check number i, one of the variant's task, pass? The variant has run.

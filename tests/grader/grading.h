@@ -20,7 +20,8 @@ typedef struct Grading {
     Variant kernels;  // its kernels with host files as they are handed out
     Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
-    int is_replaced[MANIFEST_MAX_FILES];         // this file could not be used
+    int passes_beside[RESULT_MAX_CHECKS];  // without what stands beside the answers: try_together()
+    int is_replaced[MANIFEST_MAX_FILES];   // this file could not be used
     int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out, or was not tried
     int has_no_time;       // answers are left that were not tried alone: all tries took too long
     int has_line;          // the report says at which line of a host file it crashed

@@ -363,6 +363,60 @@ static void void_borrowed(Grading *grading, int t)
     }
 }
 
+// ---- What stands beside the answers -------------------------------------------------------------
+
+// May check number i count by what its answer does alone?
+static int counts_alone(const Grading *grading, int i, const int is_task_wrong[])
+{
+    return grading->passes_beside[i] || may_count(grading, i, is_task_wrong);
+}
+
+// Is there a check that its answer passes alone, but not in the whole, and no other answer to
+// blame? Then it is what stands beside the answers, or a macro that one of them defines.
+static int is_nobodys(const Grading *grading, const int is_task_wrong[])
+{
+    int n_found = 0;
+    for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
+        for (int i = 0; i < grading->result.n_checks; i++) {
+            n_found += grading->verdicts[t].passes[i] &&
+                       grading->result.checks[i].status != CHECK_PASSED &&
+                       !may_count(grading, i, is_task_wrong);
+        }
+    }
+    return n_found > 0;
+}
+
+// Let all answers run together once more, without what stands beside them. Returns 0, or -1 after
+// one message.
+static int try_together(Grading *grading)
+{
+    char folder[PATH_MAX];
+    Variant together = {0};
+    Variant *const variants[] = {&together};
+    int n_saved = 0;
+    own_folder(grading, folder);
+    int result = answers_fill(&grading->session, "together", folder, &together);
+    if (result == 0 && together.is_changed) {
+        result = session_run(&grading->session, variants, 1);
+    }
+    for (int i = 0; result == 0 && together.is_changed && i < grading->result.n_checks; i++) {
+        CheckResult *check = &grading->result.checks[i];
+        CheckResult found = {.max_points = check->max_points};
+        session_judge(&grading->session, 0, i, &together, &found);
+        grading->passes_beside[i] = found.status == CHECK_PASSED;
+        n_saved += found.status == CHECK_PASSED && check->status != CHECK_PASSED;
+        check_free(&found);
+    }
+    if (n_saved > 0) {
+        result_add_stage(&grading->result, "Beside your answers", CHECK_FAILED,
+                         "your answers pass more checks in the files as they are handed out than "
+                         "in yours: a macro that one of them defines, or what stands outside the "
+                         "marked lines, changes what other lines do. They are judged without it.");
+    }
+    variant_free(&together);
+    return result;
+}
+
 // Give a task the checks of the better run.
 static void settle(Grading *grading, int t, const int is_task_wrong[])
 {
@@ -371,7 +425,7 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
     for (int i = 0; i < grading->result.n_checks; i++) {
         const CheckResult *check = &grading->result.checks[i];
         const int passed = check->status == CHECK_PASSED;
-        counts[i] = alone->passes[i] && (passed || may_count(grading, i, is_task_wrong));
+        counts[i] = alone->passes[i] && (passed || counts_alone(grading, i, is_task_wrong));
         points += counts[i] ? check->max_points : 0;
         whole_points += is_of(check, task_of(grading, t)) && passed ? check->max_points : 0;
     }
@@ -386,7 +440,8 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
             check_fail(check, diagnosis_new("it passes together with your other answers, but not "
                                             "alone, where the task earned more"));
         } else if (check->status != CHECK_PASSED) {
-            note_own(grading, t, i, !is_finished(grading) || may_count(grading, i, is_task_wrong));
+            note_own(grading, t, i,
+                     !is_finished(grading) || counts_alone(grading, i, is_task_wrong));
         }
     }
 }
@@ -401,6 +456,10 @@ int grading_try_alone(Grading *grading)
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
         is_task_wrong[t] = is_wrong(grading, t) || has_ended_whole(grading, t);
+    }
+    if (is_nobodys(grading, is_task_wrong) && allowance_left(&grading->session.allowance) > 0 &&
+        try_together(grading) != 0) {
+        return -1;
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
         void_borrowed(grading, t);

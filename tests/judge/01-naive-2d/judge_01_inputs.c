@@ -2,6 +2,7 @@
 #include "judge_01.h"
 
 #include "oracle2d.h"
+#include "sent.h"
 
 #include <float.h>
 #include <math.h>
@@ -150,23 +151,13 @@ static void roll_pixels(Random *random, OverlapJob jobs[2 * N_PIXELS])
 }
 
 // Where the calls of a scene go: a place in each range.
-typedef struct Sent {
-    OverlapJob *inside, *boundary, *nearer;
-    int n_inside, n_boundary, n_nearer;  // how many have come
-} Sent;
-
-// Keep a call among the n of its kind, all of which have the same chance.
-static void keep(Random *random, OverlapJob *jobs, int n, int *n_come, OverlapJob job)
-{
-    const int i = (int)random_integer(random, 0, (*n_come)++);
-    if (*n_come <= n || i < n) {
-        jobs[*n_come <= n ? *n_come - 1 : i] = job;
-    }
-}
+typedef struct SentCalls {
+    Sent inside, boundary, nearer;
+} SentCalls;
 
 // Sort a call into the range of what decides its answer: the depths, or else the place, with depths
 // that do not matter.
-static void sort_call(Random *random, OverlapJob job, Sent *sent)
+static void sort_call(Random *random, OverlapJob job, SentCalls *sent)
 {
     const double outside_by = outside_by_01(job);
     OverlapJob plain = job;
@@ -176,17 +167,17 @@ static void sort_call(Random *random, OverlapJob job, Sent *sent)
         return;
     }
     if (fabs(outside_by) < SMALL) {
-        keep(random, sent->boundary, N_SENT_BOUNDARY, &sent->n_boundary, plain);
+        sent_keep(&sent->boundary, random, &plain);
         return;
     }
-    keep(random, sent->inside, N_SENT_INSIDE, &sent->n_inside, plain);
+    sent_keep(&sent->inside, random, &plain);
     if (outside_by < 0) {
-        keep(random, sent->nearer, N_SENT_NEARER, &sent->n_nearer, job);
+        sent_keep(&sent->nearer, random, &job);
     }
 }
 
 // The calls that the kernel makes for some pixels of a scene.
-static void take_calls(Random *random, const Scene2D *scene, Sent *sent)
+static void take_calls(Random *random, const Scene2D *scene, SentCalls *sent)
 {
     const int n_pixels = scene->n_circles < 1000 ? 200 : 1;
     for (int i = 0; i < n_pixels; i++) {
@@ -223,10 +214,10 @@ void roll_overlaps_01(Random *random, const JobScene scenes[N_SCENES], OverlapJo
     }
     roll_pixels(random, inside + N_ROLLED_INSIDE);
     for (int k = 0; k < N_SCENES; k++) {
-        // What a scene has too few calls for stays as it is rolled.
-        Sent sent = {.inside = inside + N_INSIDE - (k + 1) * N_SENT_INSIDE,
-                     .boundary = boundary + N_BOUNDARY - (k + 1) * N_SENT_BOUNDARY,
-                     .nearer = nearer + N_NEARER - (k + 1) * N_SENT_NEARER};
+        SentCalls sent = {
+            SENT_TO(inside + N_INSIDE - (k + 1) * N_SENT_INSIDE, N_SENT_INSIDE),
+            SENT_TO(boundary + N_BOUNDARY - (k + 1) * N_SENT_BOUNDARY, N_SENT_BOUNDARY),
+            SENT_TO(nearer + N_NEARER - (k + 1) * N_SENT_NEARER, N_SENT_NEARER)};
         take_calls(random, &scenes[k].scene, &sent);
     }
 }

@@ -266,6 +266,20 @@ static Diagnosis judge_lists(const JobScene *scene, const KdTree2D *own)
     return wrong;
 }
 
+// Is every entry of mapNode2Circles the right one? Whoever hands on a list may put a circle in the
+// place of another.
+static Diagnosis judge_entries(const JobScene *scene, const KdTree2D *own)
+{
+    const u32 *expected = scene->tree.mapNode2Circles;
+    for (u32 i = 0; i < own->n_map && i < scene->tree.n_map; i++) {
+        if (own->mapNode2Circles[i] != expected[i]) {
+            return diagnosis_new("%s: mapNode2Circles[%u] is %u, expected %u", scene->picture.title,
+                                 i, own->mapNode2Circles[i], expected[i]);
+        }
+    }
+    return NOTHING_WRONG;
+}
+
 Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own)
 {
     const Diagnosis wrong = judge_lists(scene, own);
@@ -276,8 +290,9 @@ Diagnosis tree_judge_lists(const JobScene *scene, const KdTree2D *own)
         return diagnosis_new("%s: mapNode2Circles has %u %s, expected %u", scene->picture.title,
                              own->n_map, entries(own->n_map), scene->tree.n_map);
     }
-    return differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
-                               sizeof *own->nodes_flag, "leaf or inner node");
+    const Diagnosis other = differs_from_oracle(scene, own, own->nodes_flag, scene->tree.nodes_flag,
+                                                sizeof *own->nodes_flag, "leaf or inner node");
+    return other.found != NULL ? other : judge_entries(scene, own);
 }
 
 Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own)
@@ -327,6 +342,8 @@ Diagnosis tree_judge_packing(const JobScene *scene, const KdTree2D *own)
     if (wrong.found != NULL) {
         return wrong;
     }
-    return differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
-                               sizeof *own->nodes_Relations, "its entry in nodes_Relations");
+    const Diagnosis other =
+        differs_from_oracle(scene, own, own->nodes_Relations, scene->tree.nodes_Relations,
+                            sizeof *own->nodes_Relations, "its entry in nodes_Relations");
+    return other.found != NULL ? other : judge_entries(scene, own);
 }

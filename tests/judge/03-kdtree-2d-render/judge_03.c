@@ -265,8 +265,7 @@ static const JudgeCheck checks[] = {
     {"descent-work", "One step a level, no more", "descent", "getContainingChild",
      .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
 
-    {"leaf-random", "Random scenes", "leaf_loop", "*", .scene = judge_picture,
-     .range = {0, ORDER}},
+    {"leaf-random", "Random scenes", "leaf_loop", "*", .scene = judge_picture, .range = {0, ORDER}},
     {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", "*", .scene = judge_picture,
      .range = {ORDER, 1}},
     {"leaf-edges", "Empty leaves, long lists, no circles, huge, tiny, any depth", "leaf_loop", "*",

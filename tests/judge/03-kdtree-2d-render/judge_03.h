@@ -52,7 +52,8 @@ enum { N_CHILDREN = N_INSIDE + N_BORDER };
 typedef struct Job03 {
     Job job;
     ChildJob children[N_CHILDREN];
-    KdTree2D child_tree;  // of these: nodes of BORDERS, families that are nobody's, all scenes' trees
+    KdTree2D
+        child_tree;  // of these: nodes of BORDERS, families that are nobody's, all scenes' trees
     JobScene scenes[N_SCENES];
 } Job03;
 

@@ -57,8 +57,8 @@ void add_families(KdTree2D *more, ChildJob jobs[N_FAMILY_JOBS])
         *(i % 2 == 0 ? &boxes[rChild].minX : &boxes[rChild].minY) = border;
         for (u32 step = 0; step < N_FAMILY_PIXELS; step++) {
             const i32 pixel = family_pixel(i / 2, step);
-            *jobs++ = i % 2 == 0 ? (ChildJob){pixel, other, id, 0}
-                                 : (ChildJob){other, pixel, id, 0};
+            *jobs++ =
+                i % 2 == 0 ? (ChildJob){pixel, other, id, 0} : (ChildJob){other, pixel, id, 0};
         }
     }
 }

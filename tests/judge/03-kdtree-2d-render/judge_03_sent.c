@@ -5,58 +5,34 @@
 // map of high ids is left out: families have such ids.
 #include "judge_03.h"
 
+#include "sent.h"
+
 #include <string.h>
 
-// The calls of a pixel on its way to its leaf, sorted: one of each kind, all with the same chance.
-enum { INTO_LEFT, INTO_RIGHT, ON_BORDER, N_KINDS };
-typedef struct Calls {
-    int n[N_KINDS];
-    ChildJob jobs[N_KINDS];
-} Calls;
-
-static int kind_of(const BBox2D *left, int x, int y)
+static int is_on_border(const BBox2D *left, i32 x, i32 y)
 {
     const f32 column = (f32)x, row = (f32)y;
-    return column == left->minX || column == left->maxX || row == left->minY || row == left->maxY
-               ? ON_BORDER
-           : cell_holds(*left, x, y) ? INTO_LEFT
-                                     : INTO_RIGHT;
+    return column == left->minX || column == left->maxX || row == left->minY || row == left->maxY;
 }
 
-static Calls calls_of(Random *random, const KdTree2D *tree, u32 first, int x, int y)
+// Keep what a pixel sends on its way to its leaf: of the nodes into whose left child it goes one,
+// and of those into whose right child.
+//   inside   where the next ones go
+static void keep_pixel(Random *random, const KdTree2D *tree, ChildJob job, ChildJob **inside,
+                       Sent *border)
 {
-    Calls calls = {{0}, {{0}}};
-    u32 id = 0;
-    while (cell_holds(tree->nodes_BBox[0], x, y) && tree->nodes_flag[id] != LEAF) {
-        const NodeRel node = tree->nodes_Relations[id];
-        const int kind = kind_of(&tree->nodes_BBox[node.lChild], x, y);
-        if (random_integer(random, 0, calls.n[kind]++) == 0) {
-            calls.jobs[kind] = (ChildJob){x, y, id, first};
-        }
-        id = cell_holds(tree->nodes_BBox[node.lChild], x, y) ? node.lChild : node.rChild;
+    ChildJob kept[2];
+    Sent into[2] = {SENT_TO(&kept[0], 1), SENT_TO(&kept[1], 1)};
+    while (cell_holds(tree->nodes_BBox[0], job.x, job.y) && tree->nodes_flag[job.id] != LEAF) {
+        const NodeRel node = tree->nodes_Relations[job.id];
+        const BBox2D *left = &tree->nodes_BBox[node.lChild];
+        const int is_right = !cell_holds(*left, job.x, job.y);
+        sent_keep(is_on_border(left, job.x, job.y) ? border : &into[is_right], random, &job);
+        job.id = is_right ? node.rChild : node.lChild;
     }
-    return calls;
-}
-
-// Keep what the pixels of a scene send. What there is no call for stays as it is rolled.
-//   inside, border   where the next calls go
-static void keep_calls(Random *random, const JobScene *scene, u32 first, ChildJob **inside,
-                       ChildJob border[N_SENT_BORDER])
-{
-    int n_on_border = 0;
-    for (int i = 0; i < scene->scene.width * scene->scene.height; i++) {
-        const int x = i % scene->scene.width, y = i / scene->scene.width;
-        const Calls calls = calls_of(random, &scene->tree, first, x, y);
-        for (int kind = INTO_LEFT; kind <= INTO_RIGHT; kind++) {
-            if (calls.n[kind] > 0) {
-                *(*inside)++ = calls.jobs[kind];
-            }
-        }
-        if (calls.n[ON_BORDER] > 0) {
-            const int place = (int)random_integer(random, 0, n_on_border++);
-            if (place < N_SENT_BORDER) {
-                border[place] = calls.jobs[ON_BORDER];
-            }
+    for (int side = 0; side < 2; side++) {
+        if (into[side].n_come > 0) {
+            *(*inside)++ = kept[side];
         }
     }
 }
@@ -84,7 +60,12 @@ void add_sent_03(Random *random, const JobScene scenes[N_SCENES], u32 first, KdT
             memcpy(more->nodes_Relations + first, tree->nodes_Relations,
                    tree->n_nodes * sizeof(NodeRel));
             memcpy(more->nodes_BBox + first, tree->nodes_BBox, tree->n_nodes * sizeof(BBox2D));
-            keep_calls(random, &scenes[k], first, &inside, border + k * N_SENT_BORDER);
+            Sent on_border = SENT_TO(border + k * N_SENT_BORDER, N_SENT_BORDER);
+            const int width = scenes[k].scene.width, n_pixels = width * scenes[k].scene.height;
+            for (int i = 0; i < n_pixels; i++) {
+                const ChildJob job = {i % width, i / width, 0, first};
+                keep_pixel(random, tree, job, &inside, &on_border);
+            }
             first += tree->n_nodes;
         }
     }

@@ -73,9 +73,12 @@ static int roll(void *pointer, Random *random)
     roll_inputs_05(job, random);
     inputs_05_set_edges(job);
     inputs_05_link(job);
-    const int result = roll_scenes(random, job->scenes);
     roll_squares_05(random, job->squares);
-    return result;
+    if (roll_scenes(random, job->scenes) != 0) {
+        return -1;
+    }
+    inputs_05_add_sent(job, random);
+    return 0;
 }
 
 // ---- Scenes -------------------------------------------------------------------------------------

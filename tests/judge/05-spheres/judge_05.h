@@ -1,6 +1,6 @@
 // What lab 05's judge asks of a submission: inputs of its functions and whole scenes, and what an
-// answer is tried on alone. Inputs are rolled in judge_05_inputs.c, those of every job stand in
-// judge_05_edges.c; functions are judged in judge_05_roots.c and judge_05_shading.c, one answer
+// answer is tried on alone. Inputs are rolled in judge_05_inputs.c, or are what pictures send
+// (judge_05_sent.c), and those of every job stand in judge_05_edges.c; functions are judged in judge_05_roots.c and judge_05_shading.c, one answer
 // alone in judge_05_alone.c, nearest_hit in judge_05_squares.c.
 #ifndef JUDGE_JUDGE_05_H
 #define JUDGE_JUDGE_05_H
@@ -9,12 +9,15 @@
 #include "jobs_05.h"
 #include "judge.h"
 
+// How many inputs of each range are at most what whole pictures send: the first ones.
+enum { N_SENT_ROOTS = 1000, N_SENT_SPHERES = 500, N_SENT_NORMALS = 500 };
+
 // How many inputs each range has; the ranges of one function follow one another.
 enum {
-    N_ROOTS = 600,    // 3 ranges: outside, inside, t_min
-    N_SPHERES = 800,  // 3 ranges: outside, inside, small and far; the textbook has the first 2
-    N_NORMALS = 500,  // 2 ranges: outside, inside
-    N_SHADES = 300,   // 3 ranges: one light before the surface, one behind it too, several
+    N_ROOTS = N_SENT_ROOTS + 600,      // 3 ranges: outside, inside, t_min
+    N_SPHERES = N_SENT_SPHERES + 800,  // 3: outside, inside, small and far; the textbook has two
+    N_NORMALS = N_SENT_NORMALS + 500,  // 2: outside, inside
+    N_SHADES = 300,  // 3 ranges: one light before the surface, one behind it too, several
     N_LIGHTS = 320,
 };
 
@@ -81,6 +84,7 @@ typedef struct Job05 {
 // Roll what the functions get; put the inputs of every job into their places.
 void roll_inputs_05(Job05 *job, Random *random);
 void inputs_05_set_edges(Job05 *job);
+void inputs_05_add_sent(Job05 *job, Random *random);
 void inputs_05_link(Job05 *job);
 
 // Does the ray, along z, touch the sphere and all of that in numbers that float holds? Then every

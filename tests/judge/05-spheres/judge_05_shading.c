@@ -34,7 +34,7 @@ static double along_ray(const NormalJob *in, OracleVector v)
 // Where the dot product is 0, to the bit, the ray comes from neither side, and either is right.
 static int is_normal(const NormalJob *in, OracleVector vector, Vec3 found)
 {
-    const OracleNear near = {vector, normal_of(in).error};
+    const OracleNear near = {vector, normal_of(in).error * fmax(1, vector_length(vector))};
     return oracle3d_is_near(found, near) ||
            (along_ray(in, outwards(in)) == 0 && oracle3d_is_near(vec3_scaled(found, -1), near));
 }

@@ -34,6 +34,13 @@ static Diagnosis judge_overlap(const TreeScene3D *scene, const KdTree3D *own)
     return wrong.found != NULL ? wrong : tree3d_judge_lists(scene, own);
 }
 
+// Whoever packs the lists may also put a sphere in the place of another.
+static Diagnosis judge_packing(const TreeScene3D *scene, const KdTree3D *own)
+{
+    const Diagnosis wrong = tree3d_judge_packing(scene, own);
+    return wrong.found != NULL ? wrong : tree3d_judge_overlap(scene, own);
+}
+
 static Diagnosis judge_depth(const TreeScene3D *scene, const KdTree3D *own)
 {
     const Diagnosis wrong = judge_root(scene, own);
@@ -81,7 +88,7 @@ static const JudgeCheck checks[] = {
     {"pack-ids", "The ids, one behind the other", "pack_leaf_range", .function = &pack_ids_06,
      .range = {0, N_PACKS}},
     {"tree-packing", "Whole trees: packed without gaps", "pack_leaf_range", "*", .tree = judge_tree,
-     .tree3d = tree3d_judge_packing, .range = {0, JUST_FITS + 1}, .alone_scene = packs_alone_06},
+     .tree3d = judge_packing, .range = {0, JUST_FITS + 1}, .alone_scene = packs_alone_06},
 
     {"fits-levels", "Level by level", "fits_todo", .function = &fits_06, .range = {0, N_LEVELS}},
     {"tree-depth", "Whole trees: too deep ones are refused, others built", "fits_todo", "*",
