@@ -165,9 +165,9 @@ for end in 'for (volatile u32 i = 0;; i++) { (void)h_circles, (void)child; }' 'c
     echo '    return circle.radius >= box.minX - box.maxX;' | answer $file circle_overlaps_box
     { echo "    $end"; "$holes" read solutions/$lab/$file distribute; } | answer $file distribute
     broken "beside another wrong answer, ${end%%[ [(]*}...: each costs its task" 55 2
-    check "and its own end is told" grep -Eq 'ended in distribute; tested alone, it (crashes|did not finish in time: it used up the 2.0 s)' "$said"
+    check "and its own end is told" grep -Eq 'ended in distribute; tested alone, it (crashes|did not finish in time: it used up the 2.0 s)' "$reports/results.json"
     check "and of the other one that its mistake may be named later" \
-        holds 'it fails when tested alone; what is wrong may be named once the program comes to its end'
+        grep -q 'it fails when tested alone; what is wrong may be named once the program comes to its end' "$reports/results.json"
     check "and none is sent to the other" not_sent
 done
 
