@@ -157,6 +157,28 @@ echo '    extern unsigned sleep(unsigned); (void)box; for (;;) { sleep(1000); }'
 broken "a sleep without end costs its task" 80 2
 check "and the message is of the time asleep" stage Running failed "for the 2.0 s that are allowed; a sleep"
 
+# Two wrong answers, of which one does not come to its end: that is its own mistake, and the report sends to no other
+# task. not_sent: is nothing told to be corrected first?
+not_sent() { ! grep -E 'fix [^ ]+ (first|ends)|first, then grade again' "$reports/results.json"; }
+for end in 'for (volatile u32 i = 0;; i++) { (void)h_circles, (void)child; }' 'child_ids[-100000000] = ids[0];'; do
+    copy_lab solutions $lab
+    echo '    return circle.radius >= box.minX - box.maxX;' | answer $file circle_overlaps_box
+    { echo "    $end"; "$holes" read solutions/$lab/$file distribute; } | answer $file distribute
+    broken "beside another wrong answer, ${end%%[ [(]*}...: each costs its task" 55 2
+    check "and its own end is told" grep -Eq 'ended in distribute; tested alone, it (crashes|did not finish in time: it used up the 2.0 s)' "$reports/results.json"
+    check "and of the other one that its mistake may be named later" \
+        grep -q 'it fails when tested alone; what is wrong may be named once the program comes to its end' "$reports/results.json"
+    check "and none is sent to the other" not_sent
+done
+
+copy_lab solutions $lab
+echo '    return circle.radius >= box.minX - box.maxX;' | answer $file circle_overlaps_box
+echo '    return strlen(ids;' | answer $file distribute
+broken "beside an answer that does not compile a wrong one costs its task" 55
+check "and its mistake may be named once all compiles" \
+    holds 'it fails when tested alone; what is wrong may be named once all files compile'
+check "and nothing ended the program" not_sent
+
 # Without a limit of the instructor's it is what the solution takes that decides.
 copy_lab solutions $lab
 echo '    (void)box; for (;;) {}' | answer $file split_box
@@ -190,6 +212,13 @@ rm "$scratch/submission/$file"
 mkdir "$scratch/submission/$file"
 broken "a folder in a file's place gets nothing" 0
 check "and the message says so" stage Staging failed "$file: not a regular file"
+
+lab=07-kdtree-3d-trace
+copy_lab solutions $lab
+echo '    for (;;) { }' | answer clip_to_box.cl clip_to_box
+broken "an endless loop in the first of six tasks costs that task" 80
+check "and the report says what each run was allowed" test "$(count_lines 's of processor time that are allowed; an endless loop?')" -ge 2
+lab=02-kdtree-2d-build
 
 # strip_markers: as a student does who tidies up.
 strip_markers() {
@@ -250,6 +279,11 @@ copy_lab solutions $lab
 echo '    *(volatile float *)0 = circle.x + box.minX; return 0;' | answer $file circle_overlaps_box
 cp "$scratch/submission/$file" "$course/labs/$lab/"
 check "without the solution a crash costs its own task" graded_there 1 75 --lab 02
+copy_lab solutions $lab
+echo '    for (volatile u32 i = 0;; i++) { (void)circle, (void)box; }' | answer $file circle_overlaps_box
+cp "$scratch/submission/$file" "$course/labs/$lab/"
+check "an endless loop, too, by the time that the lab's files need as they are handed out" graded_there 1 75 --lab 02
+check "which is told" stage Running failed "s of processor time that are allowed; an endless loop?"
 copy_lab solutions $lab
 echo '    *(volatile float *)0 = circle.x + box.minX; return 0;' | answer $file circle_overlaps_box
 strip_markers

@@ -50,10 +50,10 @@ Test(allowance, what_may_loop_again_has_a_small_limit_of_its_own)
     Allowance allowance = {0};
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 2});
     const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1, 1);
-    cr_expect_eq(time.processor, 4);
-    cr_expect_eq(time.asleep, 2);
+    cr_expect_eq(time.processor, 5);
+    cr_expect_eq(time.asleep, 2.5);
     allowance_note(&allowance, STEP_RUNNING, (SandboxTime){.processor = 0.1});
-    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1, 1).processor, 2);
+    cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1, 1).processor, 2.5);
     allowance.given_seconds = 3;
     cr_expect_eq(allowance_of(&allowance, STEP_RUNNING, 1, 1).processor, 3,
                  "the instructor's wins");

@@ -47,12 +47,18 @@ TEST_EACH(a_handler_of_sigxcpu_wins_nothing)
     expect_end(&command, SANDBOX_TIMED_OUT);
 }
 
-TEST_EACH(what_is_allowed_can_change_while_it_runs)
+// What it may use is found out when it has used a part of it (allowance.h).
+TEST_EACH(what_it_used_is_told_and_what_is_allowed_can_change_while_it_runs)
 {
+    const struct timespec pause = {.tv_nsec = 10000000};
     SandboxCommand command = shell_command("while :; do :; done");
     command.time = (SandboxTime){600, 600, 6000};
     SandboxRun *run = sandbox_start(&command);
     cr_assert_not_null(run);
+    while (sandbox_used(run).processor < 0.1 && !sandbox_has_ended(run)) {
+        nanosleep(&pause, NULL);
+    }
+    cr_expect_not(sandbox_has_ended(run));
     sandbox_allow(run, (SandboxTime){.processor = 1, .asleep = 600, .wall = 6000});
     SandboxResult result = sandbox_wait(run);
     cr_expect_eq(result.outcome, SANDBOX_TIMED_OUT);

@@ -12,14 +12,14 @@ typedef struct Limit {
 } Limit;
 
 // Solutions use 0.02 to 1.7 s on a machine that others keep busy (an AMD EPYC, PoCL 3.1). At most
-// 0.35 s of that is their own work, the rest is the device's compiler's, which every answer needs. So
-// a right answer may do ten times as much as ours, or meet a core that another program shares: then
-// the same work counts up to twice as much.
+// 0.35 s of that is their own work, the rest is the device's compiler's, which every answer needs.
+// So a right answer may do ten times as much as ours, or meet a core that another program shares:
+// then the same work counts up to twice as much.
 static const Limit FIRST = {.factor = 4, .floor = 5};
 
-// An endless loop is met again where its answer is tried alone. A right answer there uses half to
-// nine tenths of what the solution uses in all.
-static const Limit AGAIN = {.factor = 2, .floor = 2};
+// An endless loop is met again where its answer is tried alone. A right answer there uses 0.5 to 1.5
+// times what the solution uses in all.
+static const Limit AGAIN = {.factor = 2.5, .floor = 2.5};
 
 // All runs together: the whole takes a quarter at most, or half where its compiler is as slow. What
 // never ends in one task or two takes less than the rest.

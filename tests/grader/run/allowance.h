@@ -2,9 +2,9 @@
 // this session, times a factor. So the limit is right on any machine and device, for any job, and
 // however busy the machine is.
 //
-// A handout has no solution. There the lab's files run in its place, as they are handed out: most of
-// the time is the device's compiler's, which needs as much for them (78 to 98 of 100, lab by lab).
-// They run only once something else takes long, as what they need makes no difference until then.
+// A handout has no solution. There the lab's files run in its place, as they are handed out: most
+// of the time is the device's compiler's, and in each lab they use 78% to 98% of what the solution
+// does. They run only once something else takes long: until then it makes no difference.
 //
 // A submission is run more than once: as a whole, for the line of a crash, and each failed answer
 // alone. All its runs together have a limit, too, so that a grading comes to an end.

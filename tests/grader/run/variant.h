@@ -10,7 +10,7 @@
 // What a variant is run for.
 typedef enum VariantPurpose {
     VARIANT_JUDGED,    // a submission, or a part of one
-    VARIANT_SOLUTION,  // ours, or what is handed out in its place: what it uses says what others may
+    VARIANT_SOLUTION,  // ours, or what runs in its place: what it uses says what others may
     // No points depend on the rest: a busy machine may fail them.
     VARIANT_CRASH,  // built and run with the address sanitizer: see variant_find_line()
     VARIANT_RACE,   // the lab's race runs in the place of its probe: see variant_race()

@@ -286,8 +286,8 @@ static void say_what_runs(const Variant *variant, Step step, int number, int n)
     }
 }
 
-// Wait until one of those that run has ended. Returns its number; or -1 if one runs for so long that
-// it must be known first what it may use.
+// Wait until one of those that run has ended. Returns its number; or -1 if one runs for so long
+// that it must be known first what it may use.
 static int any_wait(Variant *const variants[], int n, Step step, const Allowance *allowance)
 {
     int first = 0;
