@@ -72,12 +72,32 @@ static const struct {
     {"materials", sizeof(Material)}, {"lights", sizeof(Light)},
 };
 
-// The bytes behind the end of a section's array.
-static size_t bytes_behind(const char *name)
+// Does a leaf of scene k name the sphere behind the last? That is one of the scene's then.
+static int is_stranger_named(const Sections *judges, int k)
 {
-    const char *part = strncmp(name, "scene.", strlen("scene.")) == 0 ? strrchr(name, '.') + 1 : "";
+    char name[SECTION_NAME_BYTES];
+    size_t n_bytes = 0;
+    snprintf(name, sizeof name, "scene.%d", k);
+    const SceneJob3D *scene = sections_find(judges, name, sizeof *scene);
+    snprintf(name, sizeof name, "scene.%d.sphere_ids", k);
+    const u32 *ids = sections_find_any(judges, name, &n_bytes);
+    for (size_t i = 0; scene != NULL && ids != NULL && i < n_bytes / sizeof *ids; i++) {
+        if (ids[i] == (u32)scene->n_spheres) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// The bytes behind the end of the array in a section.
+static size_t bytes_behind(const Sections *judges, const char *name)
+{
+    int k, n_read = 0;
+    if (sscanf(name, "scene.%9d.%n", &k, &n_read) != 1 || n_read == 0) {
+        return 0;
+    }
     for (size_t i = 0; i < COUNT(longer); i++) {
-        if (strcmp(part, longer[i].part) == 0) {
+        if (strcmp(name + n_read, longer[i].part) == 0 && !is_stranger_named(judges, k)) {
             return longer[i].entry_bytes;
         }
     }
@@ -96,7 +116,7 @@ int memcheck_job_write(const Sections *judges, FILE *file)
     const char *name;
     const void *bytes;
     while ((bytes = sections_next(judges, &place, &name, &n_bytes)) != NULL) {
-        const size_t less = bytes_behind(name);
+        const size_t less = bytes_behind(judges, name);
         if (n_bytes < less || section_write(file, name, bytes, n_bytes - less) != 0) {
             return failed_to_write();
         }

@@ -78,11 +78,22 @@ static const char script[] =
 
 // ---- Starting ----------------------------------------------------------------------------------
 
-// The folder that a pass writes to.
-static void out_path(const Memcheck *memcheck, const Pass *pass, char path[PATH_MAX])
+// A folder of a pass's own: "build" or "out".
+static void folder_path(const Memcheck *memcheck, const Pass *pass, const char *name,
+                        char path[PATH_MAX])
 {
-    path_make(path, "%s/variant-%s/out-%s", memcheck->session.workshop.folder, memcheck->whole.name,
-              pass->sanitizer);
+    path_make(path, "%s/variant-%s/%s-%s", memcheck->session.workshop.folder, memcheck->whole.name,
+              name, pass->sanitizer);
+}
+
+// Make it, empty. Returns 0, or -1 after one message.
+static int folder_new(const char *path)
+{
+    if ((folder_remove(path) != 0 && errno != ENOENT) || mkdir(path, 0755) != 0) {
+        complain("memcheck: %s: cannot be made: %s", path, strerror(errno));
+        return -1;
+    }
+    return 0;
 }
 
 // Start a pass. NULL after one message.
@@ -93,10 +104,9 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
     char tree[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX], inside[PATH_MAX],
         variable[64];
     path_make(tree, "%s/tree", workshop->folder);
-    path_make(build, "%s/variant-%s/build", workshop->folder, memcheck->whole.name);
-    out_path(memcheck, pass, out);
-    if ((folder_remove(out) != 0 && errno != ENOENT) || mkdir(out, 0755) != 0) {
-        complain("memcheck: %s: cannot be made: %s", out, strerror(errno));
+    folder_path(memcheck, pass, "build", build);
+    folder_path(memcheck, pass, "out", out);
+    if (folder_new(build) != 0 || folder_new(out) != 0) {
         return NULL;
     }
     path_make(job, "%s/job", workshop->folder);
@@ -177,7 +187,7 @@ static void tell_finding(Memcheck *memcheck, const Pass *pass)
 {
     char out[PATH_MAX], path[PATH_MAX];
     Finding finding;
-    out_path(memcheck, pass, out);
+    folder_path(memcheck, pass, "out", out);
     if (!report_find(out, path)) {
         return;
     }
@@ -197,7 +207,7 @@ static void tell_finding(Memcheck *memcheck, const Pass *pass)
 static void print_place(Memcheck *memcheck, const Pass *pass)
 {
     char folder[PATH_MAX];
-    out_path(memcheck, pass, folder);
+    folder_path(memcheck, pass, "out", folder);
     const ProbeNote note = run_note_load(folder);
     RunPlace place = run_place_before(&note);
     if (place.where[0] == '\0') {
