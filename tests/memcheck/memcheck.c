@@ -1,11 +1,12 @@
-// memcheck: run a submission's kernels under Oclgrind, which sees what a device passes over in
-// silence: indices out of range, values that were never set, races, barriers that not all reach.
+// memcheck: run a submission with a check of each access to memory, by clang's sanitizers: they see
+// what a device passes over in silence, such as indices out of range and values never set.
 //
 //     memcheck --lab 03 [--submission FOLDER]
 //
-// The lab's probe does a small job (memcheck_job.h) in the sandbox, with Oclgrind as its OpenCL
-// driver; what Oclgrind writes down is reported at the student's own lines. It is a diagnosis and
-// earns or costs no points. Exit status: 0 nothing found, 1 something, 2 it could not be tried.
+// The lab's probe does the judge's job in the sandbox, with a little OpenCL of our own
+// (tests/native/) that compiles kernels for this processor. What the sanitizers write down is
+// reported at the student's own line. It is a diagnosis and earns or costs no points. Exit status:
+// 0 nothing found, 1 something, 2 it could not be tried.
 #include "clean_text.h"
 #include "complain.h"
 #include "holes.h"
@@ -14,33 +15,62 @@
 #include "path.h"
 #include "settings.h"
 #include "untouched.h"
+#include "workshop_files.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { EXIT_CLEAN = 0, EXIT_FOUND = 1, EXIT_FAULT = 2 };
 
+#define MAX_JOB_BYTES ((size_t)256 << 20)
+
 // ---- The job -----------------------------------------------------------------------------------
 
-// Replace the judge's job by a small one. Returns 0, or -1 after one message.
-static int shrink_job(const Session *session)
+// Make a job of another by `write`. Returns 0, or -1 after one message.
+static int job_make(const char *from, const char *to,
+                    int (*write)(const Sections *job, FILE *file))
 {
-    char path[PATH_MAX];
     Sections job;
-    workshop_job_path(&session->workshop, 0, path);
-    if (sections_load(path, (size_t)256 << 20, &job) != 0) {
-        complain("memcheck: %s: the job cannot be read", path);
+    if (sections_load(from, MAX_JOB_BYTES, &job) != 0) {
+        complain("memcheck: %s: the job cannot be read", from);
         return -1;
     }
-    FILE *file = fopen(path, "wb");
-    int result = file ? memcheck_job_write(&job, file) : -1;
+    FILE *file = fopen(to, "wb");
+    int failed = file == NULL || write(&job, file) != 0;
     if (file == NULL || fclose(file) != 0) {
-        complain("memcheck: %s: cannot be written: %s", path, strerror(errno));
-        result = -1;
+        complain("memcheck: %s: cannot be written: %s", to, strerror(errno));
+        failed = 1;
     }
     sections_free(&job);
+    return failed ? -1 : 0;
+}
+
+// Replace the judge's job by one whose arrays end where they end, and put a small one beside it.
+// Returns 0, or -1 after one message.
+static int jobs_make(const Session *session)
+{
+    char path[PATH_MAX], small[PATH_MAX];
+    workshop_job_path(&session->workshop, 0, path);
+    path_make(small, "%s" MEMCHECK_SMALL_JOB, path);
+    return job_make(path, path, memcheck_job_write) != 0 ||
+                   job_make(path, small, memcheck_job_write_small) != 0
+               ? -1
+               : 0;
+}
+
+// What runs in the sandbox besides. Returns 0, or -1 after one message.
+static int libraries_copy(const Session *session)
+{
+    static const char *const sanitizers[] = {"address", "memory"};
+    char from[PATH_MAX], to[PATH_MAX];
+    path_make(to, "%s/tree/lib/kernels.h", session->workshop.folder);
+    int result = copy_file("tests/native/kernels.h", to);
+    for (int i = 0; i < 2; i++) {
+        path_make(from, "%s/memcheck/%s.so", session->workshop.build, sanitizers[i]);
+        path_make(to, "%s/tree/lib/memcheck-%s.so", session->workshop.folder, sanitizers[i]);
+        result |= copy_file(from, to);
+    }
     return result;
 }
 
@@ -49,15 +79,16 @@ static int shrink_job(const Session *session)
 // Print what is left to say of what was found.
 static void end_print(const Memcheck *memcheck)
 {
-    if (memcheck->n_told > 0) {
-        printf("Oclgrind stops at the first: others may follow from it. Correct it, then try "
-               "again.\nOclgrind errs now and then; no points depend on it.\n");
+    if (memcheck->has_finding) {
+        printf("It stops at the first: others may follow from it. Correct it, then try again. No "
+               "points depend on it.\n");
     } else if (!memcheck->has_trouble) {
-        printf("%s: Oclgrind found nothing on a small job.\n", memcheck->session.manifest.lab);
+        printf("%s: nothing found. Races between work-items are not looked for.\n",
+               memcheck->session.manifest.lab);
     }
 }
 
-// Say which kernels' tasks stand as they were handed out: what Oclgrind finds there is given.
+// Say which tasks stand as they were handed out: what is found there is given.
 static void untouched_print(const Memcheck *memcheck)
 {
     const Manifest *manifest = &memcheck->session.manifest;
@@ -66,7 +97,7 @@ static void untouched_print(const Memcheck *memcheck)
         const Task *task = &manifest->tasks[t];
         char path[PATH_MAX];
         path_make(path, "%s/%s", memcheck->folder, task->file);
-        char *answer = manifest_is_host_file(task->file) ? NULL : hole_load(path, task->id);
+        char *answer = hole_load(path, task->id);
         if (answer != NULL && answer_is_untouched(manifest, task, answer)) {
             printf("%s%s",
                    n_untouched++ ? ", " : "Not answered yet, as it was handed out: ", task->id);
@@ -92,7 +123,8 @@ static void staged_print(const StagedFiles *staged)
 static int memcheck_run(Memcheck *memcheck, const Settings *settings)
 {
     Session *session = &memcheck->session;
-    if (session_open(session, settings) != 0 || shrink_job(session) != 0 ||
+    if (session_open(session, settings) != 0 || jobs_make(session) != 0 ||
+        libraries_copy(session) != 0 ||
         variant_open(&session->workshop, "whole", &memcheck->whole, memcheck->folder) != 0) {
         return EXIT_FAULT;
     }
@@ -105,9 +137,9 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
     if (staged.n_taken == 0) {
         return EXIT_FAULT;
     }
-    // Host files are compiled on the way.
+    // The messages of a compiler that students know.
     Variant *variants[] = {&memcheck->whole};
-    if (session->workshop.needs_compiler && session_run(session, variants, 1) != 0) {
+    if (session->workshop.needs_compiler && session_compile(session, variants, 1) != 0) {
         return EXIT_FAULT;
     }
     if (memcheck->whole.build_log != NULL) {
@@ -121,19 +153,7 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
         return EXIT_FAULT;
     }
     end_print(memcheck);
-    return memcheck->n_told > 0 || memcheck->has_trouble ? EXIT_FOUND : EXIT_CLEAN;
-}
-
-// Has the lab a kernel that a student writes?
-static int has_kernels(const char *lab)
-{
-    Manifest manifest;
-    if (manifest_load("labs", lab, &manifest) != 0) {
-        return 0;
-    }
-    const int has = manifest_has_kernels(&manifest);
-    manifest_free(&manifest);
-    return has;
+    return memcheck->has_finding || memcheck->has_trouble ? EXIT_FOUND : EXIT_CLEAN;
 }
 
 int main(int argc, char **argv)
@@ -143,18 +163,7 @@ int main(int argc, char **argv)
     if (parsed != 0) {
         return parsed > 0 ? EXIT_CLEAN : EXIT_FAULT;
     }
-    if (!has_kernels(settings.lab)) {
-        complain("memcheck: %s: found no kernel to hand in, expected one: Oclgrind looks at "
-                 "kernels only",
-                 settings.lab);
-        return EXIT_FAULT;
-    }
-    if (access(OCLGRIND_DRIVER, R_OK) != 0) {
-        complain("memcheck: found no Oclgrind (" OCLGRIND_DRIVER "); install the package oclgrind, "
-                 "which Debian 12 has and Debian 13 has not");
-        return EXIT_FAULT;
-    }
-    settings.device = "";  // Oclgrind's is the only one
+    settings.device = "";  // there is one only
     static Memcheck memcheck;
     const int status = memcheck_run(&memcheck, &settings);
     variant_free(&memcheck.whole);

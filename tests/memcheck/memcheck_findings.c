@@ -9,19 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Is it one of the files a student hands in? Then *name is its name without a folder.
-static int is_own_file(const Memcheck *memcheck, const char *path, const char **name)
-{
-    const char *slash = strrchr(path, '/');
-    *name = slash ? slash + 1 : path;
-    for (int i = 0; i < memcheck->session.manifest.n_files; i++) {
-        if (strcmp(memcheck->session.manifest.files[i], *name) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 // Print a line of one of the student's files, without its indentation.
 static void source_print(const Memcheck *memcheck, const char *name, int line)
 {
@@ -59,37 +46,27 @@ static const char *task_of_line(const Memcheck *memcheck, const char *name, int 
     return found;
 }
 
-const Finding *finding_first_own(const Memcheck *memcheck)
-{
-    const char *name;
-    for (int i = 0; i < memcheck->n_findings; i++) {
-        if (is_own_file(memcheck, memcheck->findings[i].file, &name)) {
-            return &memcheck->findings[i];
-        }
-    }
-    return NULL;
-}
-
 void finding_print(const Memcheck *memcheck, const Finding *finding)
 {
-    const char *name, *other;
-    if (is_own_file(memcheck, finding->file, &name)) {
-        printf("%s:%d: %s\n", name, finding->line, finding->says);
-        source_print(memcheck, name, finding->line);
-        const char *task = task_of_line(memcheck, name, finding->line);
+    if (finding->file != NULL) {
+        printf("%s:%d: %s\n", finding->file, finding->line, finding->says);
+        source_print(memcheck, finding->file, finding->line);
+        const char *task = task_of_line(memcheck, finding->file, finding->line);
         if (task != NULL) {
             printf("    in the answer to %s\n", task);
         }
+        if (finding->given[0] != '\0') {
+            printf("    in a given function that is called here: %s, line %d\n", finding->given,
+                   finding->given_line);
+        }
     } else {
-        char *clean = line_clean(name);
-        printf("%s, line %d, given, with what it got from yours: %s\n", clean, finding->line,
-               finding->says);
-        free(clean);
-    }
-    if (finding->other_file[0] != '\0' && is_own_file(memcheck, finding->other_file, &other)) {
-        printf("    the other one is at %s:%d\n", other, finding->other_line);
+        printf("%s, line %d, given, with what it got from yours: %s\n", finding->given,
+               finding->given_line, finding->says);
     }
     if (finding->work_item[0] != '\0') {
         printf("    first in work-item %s\n", finding->work_item);
+    }
+    if (finding->to_do != NULL) {
+        printf("    %s\n", finding->to_do);
     }
 }

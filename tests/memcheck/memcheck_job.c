@@ -1,6 +1,7 @@
-// Making a job small (see memcheck_job.h).
+// Writing memcheck's jobs (see memcheck_job.h).
 #include "memcheck_job.h"
 
+#include "complain.h"
 #include "jobs_01.h"
 #include "jobs_03.h"
 #include "jobs_04.h"
@@ -58,6 +59,70 @@ static const char *const whole[] = {
     "block_ids",          "block_spheres",  "lit_lights", "circle_nodes", "leaf_circles"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
+
+// ---- The judge's job, array by array ------------------------------------------------------------
+
+// The parts of a scene that have one entry more than the scene.
+static const struct {
+    const char *part;
+    size_t entry_bytes;
+} longer[] = {
+    {"circles", sizeof(Circle)},    {"map", sizeof(u32)},
+    {"spheres", sizeof(Sphere)},    {"material_ids", sizeof(u32)},
+    {"materials", sizeof(Material)}, {"lights", sizeof(Light)},
+};
+
+// Does a leaf of scene k name the sphere behind the last? That is one of the scene's then.
+static int is_stranger_named(const Sections *judges, int k)
+{
+    char name[SECTION_NAME_BYTES];
+    size_t n_bytes = 0;
+    snprintf(name, sizeof name, "scene.%d", k);
+    const SceneJob3D *scene = sections_find(judges, name, sizeof *scene);
+    snprintf(name, sizeof name, "scene.%d.sphere_ids", k);
+    const u32 *ids = sections_find_any(judges, name, &n_bytes);
+    for (size_t i = 0; scene != NULL && ids != NULL && i < n_bytes / sizeof *ids; i++) {
+        if (ids[i] == (u32)scene->n_spheres) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// The bytes behind the end of the array in a section.
+static size_t bytes_behind(const Sections *judges, const char *name)
+{
+    int k, n_read = 0;
+    if (sscanf(name, "scene.%9d.%n", &k, &n_read) != 1 || n_read == 0) {
+        return 0;
+    }
+    for (size_t i = 0; i < COUNT(longer); i++) {
+        if (strcmp(name + n_read, longer[i].part) == 0 && !is_stranger_named(judges, k)) {
+            return longer[i].entry_bytes;
+        }
+    }
+    return 0;
+}
+
+static int failed_to_write(void)
+{
+    complain("memcheck: the job cannot be written");
+    return -1;
+}
+
+int memcheck_job_write(const Sections *judges, FILE *file)
+{
+    size_t place = 0, n_bytes;
+    const char *name;
+    const void *bytes;
+    while ((bytes = sections_next(judges, &place, &name, &n_bytes)) != NULL) {
+        const size_t less = bytes_behind(judges, name);
+        if (n_bytes < less || section_write(file, name, bytes, n_bytes - less) != 0) {
+            return failed_to_write();
+        }
+    }
+    return 0;
+}
 
 // ---- Functions --------------------------------------------------------------------------------
 
@@ -125,12 +190,16 @@ static int scene_write(const SmallScene *scene, const char *part, const void *by
     return section_write(scene->file, name, bytes, n_bytes);
 }
 
-// Write a part but for its last `less` bytes, where there is one.
-static int part_write(const SmallScene *scene, const char *part, size_t less)
+// Write those parts that there are as they are.
+static int parts_write(const SmallScene *scene, const char *const parts[], size_t n)
 {
-    size_t n_bytes;
-    const void *bytes = scene_part(scene, part, &n_bytes);
-    return bytes && n_bytes >= less ? scene_write(scene, part, bytes, n_bytes - less) : 0;
+    int result = 0;
+    for (size_t i = 0; i < n; i++) {
+        size_t n_bytes;
+        const void *bytes = scene_part(scene, parts[i], &n_bytes);
+        result |= bytes != NULL ? scene_write(scene, parts[i], bytes, n_bytes) : 0;
+    }
+    return result;
 }
 
 // The power of two that makes a picture small: in 2D it scales circles and cells without rounding.
@@ -156,7 +225,7 @@ static int circles_write(const SmallScene *scene, float scale)
     if (given == NULL) {
         return 0;  // lab 00 has none
     }
-    const size_t n = n_bytes / sizeof *given - 1;
+    const size_t n = n_bytes / sizeof *given;
     Circle *circles = malloc(n_bytes);
     if (circles == NULL) {
         return -1;
@@ -193,30 +262,24 @@ static int boxes_write(const SmallScene *scene, float scale)
 
 static int scene2d_write(const SmallScene *scene, SceneJob header)
 {
+    static const char *const parts[] = {"pattern", "relations", "flags", "map"};
     const float scale = scale_of(header.width, header.height, MAX_SIDE);
     header.width = scaled_side(header.width, scale);
     header.height = scaled_side(header.height, scale);
-    int result = scene_write(scene, NULL, &header, sizeof header);
-    result |= circles_write(scene, scale) | boxes_write(scene, scale);
-    result |= part_write(scene, "pattern", 0);
-    result |= part_write(scene, "relations", 0) | part_write(scene, "flags", 0);
-    return result | part_write(scene, "map", sizeof(u32));
+    return scene_write(scene, NULL, &header, sizeof header) | circles_write(scene, scale) |
+           boxes_write(scene, scale) | parts_write(scene, parts, COUNT(parts));
 }
 
 // The display's size is the camera's: fewer pixels show all of it.
 static int scene3d_write(const SmallScene *scene, SceneJob3D header)
 {
+    static const char *const parts[] = {"spheres", "material_ids", "materials",    "lights",
+                                        "bounces", "leaf_spheres", "nodes",        "sphere_ids"};
     const float scale = scale_of(header.width, header.height, MAX_SIDE_3D);
     header.width = scaled_side(header.width, scale);
     header.height = scaled_side(header.height, scale);
-    int result = scene_write(scene, NULL, &header, sizeof header);
-    result |= part_write(scene, "spheres", sizeof(Sphere));
-    result |= part_write(scene, "material_ids", sizeof(u32));
-    result |= part_write(scene, "materials", sizeof(Material));
-    result |= part_write(scene, "lights", sizeof(Light));
-    result |= part_write(scene, "bounces", 0);
-    result |= part_write(scene, "leaf_spheres", 0);
-    return result | part_write(scene, "nodes", 0) | part_write(scene, "sphere_ids", 0);
+    return scene_write(scene, NULL, &header, sizeof header) |
+           parts_write(scene, parts, COUNT(parts));
 }
 
 static int is_too_large(const SmallScene *scene)
@@ -247,11 +310,7 @@ static int scenes_write(const Sections *job, FILE *file)
     return result;
 }
 
-int memcheck_job_write(const Sections *job, FILE *file)
+int memcheck_job_write_small(const Sections *job, FILE *file)
 {
-    if (functions_write(job, file) != 0 || scenes_write(job, file) != 0) {
-        fprintf(stderr, "memcheck: the small job cannot be written\n");
-        return -1;
-    }
-    return 0;
+    return functions_write(job, file) | scenes_write(job, file) ? failed_to_write() : 0;
 }

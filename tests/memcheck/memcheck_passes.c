@@ -1,13 +1,15 @@
-// Oclgrind's passes over a submission's probe (see memcheck_passes.h).
+// The sanitizers' passes over a submission's probe (see memcheck_passes.h).
 #include "memcheck_passes.h"
 
 #include "complain.h"
 #include "folder.h"
 #include "memcheck_findings.h"
 #include "path.h"
+#include "probe.h"
 #include "progress.h"
 #include "run_end.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -17,127 +19,195 @@
 #include <time.h>
 #include <unistd.h>
 
-// Its log ends after a thousand messages by itself.
-enum { MAX_LOG_BYTES = 8 << 20 };
+enum { MAX_REPORT_BYTES = 1 << 17, MAX_PLACE_BYTES = 256, MAX_WORDS = 8 + MANIFEST_MAX_FILES };
 
 // Seconds of processor time of a pass: some times what the slowest solution needs.
 enum { PASS_SECONDS = 15 };
 
-// How often is looked whether something was found.
-static const struct timespec pause_between_looks = {.tv_nsec = 200 * 1000 * 1000};
+// What sanitized.c writes, and how the sanitizers' files begin.
+#define PLACE "fault"
+#define REPORT "report."
 
-// Races and values never set are looked for apart: together Oclgrind is slower than both. Indices
-// out of range are found in either.
+// Frames get their lines from addr2line, which whoever has gcc has.
+#define COMMON_OPTIONS                                                                             \
+    "log_path=out/report:color=never:handle_abort=1:handle_sigfpe=1:handle_sigill=1:"              \
+    "handle_sigbus=1:allocator_may_return_null=1:allow_addr2line=1:"                               \
+    "external_symbolizer_path=/usr/bin/addr2line"
+
+// What both passes compile kernels with: not optimised, as a read whose value nobody needs is a
+// fault, too, and a value that was never set would be whatever makes the code short.
+#define KERNELS "NATIVE_OPTIONS=-g -O0 -fno-omit-frame-pointer "
+
+// One sanitizer.
 typedef struct Pass {
-    const char *log;    // its file, in a folder of its own
-    const char *looks;  // what it is to look for
+    const char *sanitizer;  // clang's name of it, and its library's
+    const char *job;        // PROBE_JOB_VARIABLE
+    const char *host;       // how host files are compiled
+    const char *environment[6];
 } Pass;
 static const Pass passes[] = {
-    {"races", "OCLGRIND_DATA_RACES=1"},
-    {"unset", "OCLGRIND_UNINITIALIZED=1"},
+    {"address",
+     "",
+     "-fsanitize=address,undefined -fno-sanitize-recover=all",
+     {KERNELS "-fsanitize=address,bounds,integer-divide-by-zero -fno-sanitize-recover=all",
+      "ASAN_OPTIONS=detect_leaks=0:detect_stack_use_after_return=0:" COMMON_OPTIONS,
+      "UBSAN_OPTIONS=print_stacktrace=1:" COMMON_OPTIONS}},
+    // It knows nothing of what is stored by code that is not compiled for it: only the bytes of
+    // memory objects and kernels' variables count as never set.
+    {"memory",
+     MEMCHECK_SMALL_JOB,
+     "",
+     {KERNELS "-fsanitize=memory -fsanitize-memory-track-origins -mllvm -msan-eager-checks=0",
+      "MSAN_OPTIONS=poison_in_malloc=0:poison_in_free=0:" COMMON_OPTIONS}},
 };
 enum { N_PASSES = sizeof passes / sizeof *passes };
 
-// The folder that a pass writes its log to.
-static void out_path(const Memcheck *memcheck, const Variant *variant, const Pass *pass,
-                     char path[PATH_MAX])
+// Compile host files, link the probe with OpenCL of our own, and run it, all in the sandbox.
+static const char script[] =
+    "sanitizer=$1 lab=$2 host=$3\n"
+    "shift 3\n"
+    "for folder in solutions/*; do host=\"$host -I $folder\"; done\n"
+    "for file do\n"
+    "    clang -std=c11 -D_GNU_SOURCE -O1 -g -fno-omit-frame-pointer -w -Icommon -Ikernels \\\n"
+    "        -I \"labs/$lab\" $host -c \"labs/$lab/$file\" -o \"build/$file.o\" || exit 3\n"
+    "    set -- \"$@\" \"build/$file.o\" && shift\n"
+    "done\n"
+    "clang -fsanitize=\"$sanitizer\" \"lib/$lab.o\" \"$@\" \"lib/earlier/$lab.a\" lib/libcommon.a \\\n"
+    "    \"lib/memcheck-$sanitizer.so\" -lm -o build/memcheck || exit 3\n"
+    "exec build/memcheck\n";
+
+// ---- Starting ----------------------------------------------------------------------------------
+
+// A folder of a pass's own: "build" or "out".
+static void folder_path(const Memcheck *memcheck, const Pass *pass, const char *name,
+                        char path[PATH_MAX])
 {
-    path_make(path, "%s/variant-%s/out-%s", memcheck->session.workshop.folder, variant->name,
-              pass->log);
+    path_make(path, "%s/variant-%s/%s-%s", memcheck->session.workshop.folder, memcheck->whole.name,
+              name, pass->sanitizer);
 }
 
-// Start a variant's probe with Oclgrind for its driver. NULL after one message.
-static SandboxRun *start_pass(const Memcheck *memcheck, const Variant *variant, const Pass *pass,
-                              SandboxTime time)
+// Make it, empty. Returns 0, or -1 after one message.
+static int folder_new(const char *path)
+{
+    if ((folder_remove(path) != 0 && errno != ENOENT) || mkdir(path, 0755) != 0) {
+        complain("memcheck: %s: cannot be made: %s", path, strerror(errno));
+        return -1;
+    }
+    return 0;
+}
+
+// Start a pass. NULL after one message.
+static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, SandboxTime time)
 {
     const Workshop *workshop = &memcheck->session.workshop;
-    const char *lab = memcheck->session.manifest.lab, *name = variant->name;
-    char tree[PATH_MAX], files[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX],
-        inside[PATH_MAX], probe[PATH_MAX];
-    path_make(files, "%s/variant-%s/lab", workshop->folder, name);
+    const Manifest *manifest = &memcheck->session.manifest;
+    char tree[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX], inside[PATH_MAX],
+        variable[64];
     path_make(tree, "%s/tree", workshop->folder);
-    path_make(build, "%s/variant-%s/build", workshop->folder, name);
-    out_path(memcheck, variant, pass, out);
-    if ((folder_remove(out) != 0 && errno != ENOENT) || mkdir(out, 0755) != 0 ||
-        chmod(out, 0755) != 0) {
-        complain("memcheck: %s: cannot be made: %s", out, strerror(errno));
+    folder_path(memcheck, pass, "build", build);
+    folder_path(memcheck, pass, "out", out);
+    if (folder_new(build) != 0 || folder_new(out) != 0) {
         return NULL;
     }
     path_make(job, "%s/job", workshop->folder);
-    path_make(inside, "/work/labs/%s", lab);
-    path_make(probe, "lib/%s", lab);
-    const char *const argv[] = {workshop->needs_compiler ? "build/probe" : probe, NULL};
-    char log[PATH_MAX];
-    path_make(log, "OCLGRIND_LOG=out/%s", pass->log);
-    // Not optimised: Oclgrind 21.10 crashes where values are unset and optimised code shuffles
-    // float3, and knows nothing of the marks that the optimiser leaves where it puts one function
-    // into another (llvm.experimental.noalias.scope.decl).
-    const char *const environment[] = {"OCL_ICD_VENDORS=" OCLGRIND_DRIVER, log, pass->looks,
-                                       "OCLGRIND_BUILD_OPTIONS=-cl-opt-disable", NULL};
+    path_make(inside, "/work/labs/%s", manifest->lab);
+    snprintf(variable, sizeof variable, PROBE_JOB_VARIABLE "=%s", pass->job);
+    const char *environment[8] = {variable};
+    memcpy(environment + 1, pass->environment, sizeof pass->environment);
+    const char *argv[MAX_WORDS] = {"/bin/sh",       "-c",          script,    "memcheck",
+                                   pass->sanitizer, manifest->lab, pass->host};
+    int n = 7;
+    for (int i = 0; i < manifest->n_files; i++) {
+        if (manifest_is_host_file(manifest->files[i])) {
+            argv[n++] = manifest->files[i];
+        }
+    }
     const SandboxCommand command = {
         .kind = workshop->sandbox,
         .argv = argv,
         .environment = environment,
         .folder = "/work",
         .mounts = {{tree, "/work", 0},
-                   {files, inside, 0},
-                   {build, "/work/build", 0},
+                   {memcheck->folder, inside, 0},
+                   {build, "/work/build", 1},
                    {out, "/work/out", 1},
                    {job, "/work/job", 0}},
         .n_mounts = 5,
         .time = time,
-        .memory_mb = MEMORY_MB,
+        .memory_mb = 0,  // sanitizers reserve terabytes that they never use
         .file_mb = FILE_MB,
         .n_processes = N_PROCESSES,
+        .total_memory_mb = TOTAL_MEMORY_MB,
+        .total_file_mb = TOTAL_FILE_MB,
+        .n_files = N_FILES,
     };
     return sandbox_start(&command);
 }
 
-// The log of a pass; NULL when there is none that one may read. A link or a pipe in its place, left
-// by what ran inside, is neither followed nor waited for.
-static char *log_load(const Memcheck *memcheck, const Pass *pass)
+// ---- What it left -------------------------------------------------------------------------------
+
+// The beginning of a regular file; free() it. A link or a pipe in its place, left by what ran
+// inside, is neither followed nor waited for: "", as where there is none. NULL without memory.
+static char *text_load(const char *path, size_t n_most)
 {
-    char folder[PATH_MAX], path[PATH_MAX];
-    out_path(memcheck, &memcheck->whole, pass, folder);
-    path_make(path, "%s/%s", folder, pass->log);
-    const int descriptor = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    char *text = calloc(1, n_most + 1);
+    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     struct stat status;
-    if (descriptor < 0 || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
-        return NULL;
+    if (text != NULL && file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
+        read(file, text, n_most) < 0) {
+        text[0] = '\0';
     }
-    FILE *file = fdopen(descriptor, "r");
-    char *log = calloc(1, MAX_LOG_BYTES + 1);
-    if (file == NULL || log == NULL || fread(log, 1, MAX_LOG_BYTES, file) == 0) {
-        free(log);
-        log = NULL;
+    if (file >= 0) {
+        close(file);
     }
-    if (file != NULL) {
-        fclose(file);
-    }
-    return log;
+    return text;
 }
 
-// Read what the passes have found up to now.
-static void findings_read(Memcheck *memcheck)
+// The path of the sanitizer's report, whose name ends with the number of a process. Returns whether
+// there is one.
+static int report_find(const char *out, char path[PATH_MAX])
 {
-    memcheck->n_findings = 0;
-    for (int i = 0; i < N_PASSES; i++) {
-        char *log = log_load(memcheck, &passes[i]);
-        if (log != NULL) {
-            memcheck->n_findings = oclgrind_log_read(log, memcheck->findings, memcheck->n_findings);
+    DIR *folder = opendir(out);
+    int is_found = 0;
+    const struct dirent *entry;
+    while (folder != NULL && !is_found && (entry = readdir(folder)) != NULL) {
+        is_found = strncmp(entry->d_name, REPORT, strlen(REPORT)) == 0;
+        if (is_found) {
+            path_make(path, "%s/%s", out, entry->d_name);
         }
-        free(log);
     }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+    return is_found;
+}
+
+// Tell what a pass has found, if it has.
+static void tell_finding(Memcheck *memcheck, const Pass *pass)
+{
+    char out[PATH_MAX], path[PATH_MAX];
+    Finding finding;
+    folder_path(memcheck, pass, "out", out);
+    if (!report_find(out, path)) {
+        return;
+    }
+    char *report = text_load(path, MAX_REPORT_BYTES);
+    path_make(path, "%s/" PLACE, out);
+    char *place = text_load(path, MAX_PLACE_BYTES);
+    if (report != NULL && place != NULL &&
+        finding_read(report, place, &memcheck->session.manifest, &finding)) {
+        finding_print(memcheck, &finding);
+        memcheck->has_finding = 1;
+    }
+    free(report);
+    free(place);
 }
 
 // Where a pass was, as its probe noted it: its inputs are others than the judge's.
 static void print_place(Memcheck *memcheck, const Pass *pass)
 {
     char folder[PATH_MAX];
-    out_path(memcheck, &memcheck->whole, pass, folder);
+    folder_path(memcheck, pass, "out", folder);
     const ProbeNote note = run_note_load(folder);
     RunPlace place = run_place_before(&note);
     if (place.where[0] == '\0') {
@@ -146,106 +216,52 @@ static void print_place(Memcheck *memcheck, const Pass *pass)
     printf(place.where[0] != '\0' ? "where: %s\n" : "", place.where);
 }
 
-// Say how a pass that did not come to its end ended. Once is enough: the other pass mostly ends in
-// the same way.
-static void print_trouble(Memcheck *memcheck, const Pass *pass, const SandboxResult *result,
-                          SandboxTime allowed)
+// Say how a pass that did not come to its end ended.
+static void tell_trouble(Memcheck *memcheck, const Pass *pass, const SandboxResult *result,
+                         SandboxTime allowed)
 {
-    if (!memcheck->has_trouble) {
-        char *end = run_end_describe(result, allowed);
-        printf("It did not run to its end under Oclgrind: %s\n", end);
-        print_place(memcheck, pass);
-        if (result->outcome == SANDBOX_TIMED_OUT) {
-            printf("\"make grade\" tells whether it is an endless loop. On a slow machine "
-                   "TIME_LIMIT=100 gives it more time.\n");
-        }
-        printf("%s", result->output);
-        free(end);
+    char *end = run_end_describe(result, allowed);
+    printf("It did not run to its end: %s\n", end);
+    print_place(memcheck, pass);
+    if (result->outcome == SANDBOX_TIMED_OUT) {
+        printf("\"make grade\" tells whether it is an endless loop. TIME_LIMIT=100 gives it more "
+               "time.\n");
     }
+    printf("%s", result->output);
+    free(end);
     memcheck->has_trouble = 1;
 }
 
-// A folder that not everybody may read is opened to one run at a time; all passes read these.
-static int folders_open(const Memcheck *memcheck, const Variant *variant)
-{
-    static const char *const folders[] = {"lab", "build"};
-    char path[PATH_MAX];
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        path_make(path, "%s/variant-%s/%s", memcheck->session.workshop.folder, variant->name,
-                  folders[i]);
-        if (chmod(path, 0755) != 0) {
-            complain("memcheck: %s: cannot be opened: %s", path, strerror(errno));
-            return -1;
-        }
-    }
-    return 0;
-}
+// ---- All ----------------------------------------------------------------------------------------
 
-// Tell a finding at once. If something went wrong in a given file before it, that comes first: it
-// is nearer to the mistake.
-static void tell(Memcheck *memcheck, const Finding *finding)
+// Returns 0, or -1 after one message when the machinery failed.
+static int pass_run(Memcheck *memcheck, const Pass *pass, SandboxTime time)
 {
-    if (finding != memcheck->findings) {
-        finding_print(memcheck, memcheck->findings);
-        memcheck->n_told++;
-    }
-    finding_print(memcheck, finding);
-    memcheck->n_told++;
-    fflush(stdout);
-}
-
-// Wait until the passes have ended, or something is found in one of the student's files: tell it
-// and end them. It may be half written at the first look, so it is told at the next.
-static void passes_watch(Memcheck *memcheck, SandboxRun *const runs[N_PASSES])
-{
-    for (int was_seen = 0, n_running = N_PASSES; n_running > 0;) {
-        n_running = 0;
-        for (int i = 0; i < N_PASSES; i++) {
-            n_running += !sandbox_has_ended(runs[i]);
-        }
-        findings_read(memcheck);
-        const Finding *first = finding_first_own(memcheck);
-        if (first != NULL && (was_seen || n_running == 0)) {
-            progress_hide();
-            tell(memcheck, first);
-            for (int i = 0; i < N_PASSES; i++) {
-                sandbox_allow(runs[i], (SandboxTime){0});
-            }
-            return;
-        }
-        was_seen = first != NULL;
-        progress_show();
-        nanosleep(&pause_between_looks, NULL);
-    }
-    progress_hide();
-}
-
-// Run the passes side by side. Returns 0, or -1 after one message when the machinery failed.
-static int passes_run(Memcheck *memcheck, SandboxTime time, SandboxResult results[N_PASSES])
-{
-    SandboxRun *runs[N_PASSES];
-    int failed = 0;
-    if (folders_open(memcheck, &memcheck->whole) != 0) {
+    SandboxRun *run = start_pass(memcheck, pass, time);
+    if (run == NULL) {
         return -1;
     }
-    for (int i = 0; i < N_PASSES; i++) {
-        runs[i] = start_pass(memcheck, &memcheck->whole, &passes[i], time);
-        failed |= runs[i] == NULL;
+    while (!sandbox_has_ended(run)) {
+        progress_show();
+        nanosleep(&(struct timespec){.tv_nsec = 20 * 1000 * 1000}, NULL);
     }
-    if (!failed) {
-        passes_watch(memcheck, runs);
-    }
-    for (int i = 0; i < N_PASSES; i++) {
-        results[i] =
-            runs[i] != NULL ? sandbox_wait(runs[i]) : (SandboxResult){.outcome = SANDBOX_FAULT};
-        if (results[i].outcome == SANDBOX_STARVED) {
-            complain("memcheck: this machine is too busy: try again when it is less so");
-        } else if (results[i].outcome == SANDBOX_FAULT && runs[i] != NULL) {
-            complain("memcheck: the sandbox failed: %s", results[i].output);
+    progress_hide();
+    SandboxResult result = sandbox_wait(run);
+    int failed = 0;
+    if (result.outcome == SANDBOX_STARVED) {
+        complain("memcheck: this machine is too busy: try again when it is less so");
+        failed = -1;
+    } else if (result.outcome == SANDBOX_FAULT) {
+        complain("memcheck: the sandbox failed: %s", result.output);
+        failed = -1;
+    } else if (result.outcome != SANDBOX_EXITED || result.exit_status != 0) {
+        tell_finding(memcheck, pass);
+        if (!memcheck->has_finding) {
+            tell_trouble(memcheck, pass, &result, time);
         }
-        failed |= results[i].outcome == SANDBOX_FAULT || results[i].outcome == SANDBOX_STARVED;
     }
-    return failed ? -1 : 0;
+    free(result.output);
+    return failed;
 }
 
 int memcheck_passes(Memcheck *memcheck)
@@ -253,23 +269,13 @@ int memcheck_passes(Memcheck *memcheck)
     const int given = memcheck->session.settings->time_limit;
     const Allowance allowance = {.given_seconds = given > 0 ? given : PASS_SECONDS};
     const SandboxTime time = allowance_of(&allowance, STEP_RUNNING, 1, 0);
-    SandboxResult results[N_PASSES] = {0};
-    printf("Oclgrind runs the kernels twice on a small job, for races and for values never set:\n"
-           "%.0f s of processor time each at most.\n",
-           time.processor);
-    fflush(stdout);
-    progress_say("running the kernels under Oclgrind");
-    const int failed = passes_run(memcheck, time, results);
-    for (int i = 0; i < N_PASSES && failed == 0 && memcheck->n_told == 0; i++) {
-        if (results[i].outcome != SANDBOX_EXITED || results[i].exit_status != 0) {
-            print_trouble(memcheck, &passes[i], &results[i], time);
-        }
-    }
-    if (failed == 0 && memcheck->n_told == 0 && memcheck->n_findings > 0) {
-        tell(memcheck, &memcheck->findings[0]);
-    }
-    for (int i = 0; i < N_PASSES; i++) {
-        free(results[i].output);
+    // Values that were never set are looked for in kernels.
+    const int n_passes = manifest_has_kernels(&memcheck->session.manifest) ? N_PASSES : 1;
+    int failed = 0;
+    progress_say("running it with a check of each access to memory");
+    for (int i = 0; i < n_passes && failed == 0 && !memcheck->has_finding && !memcheck->has_trouble;
+         i++) {
+        failed = pass_run(memcheck, &passes[i], time);
     }
     return failed;
 }

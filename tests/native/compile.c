@@ -8,8 +8,8 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
 #include <limits.h>
-#include <nettle/sha2.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -23,7 +23,7 @@
 // gcc's own preprocessor: clang takes longer to begin than this to end.
 #define PREPROCESS                                                                                 \
     "/usr/bin/cpp", "-undef", "-nostdinc", "-w", "-D__OPENCL_VERSION__=120",                       \
-        "-D__OPENCL_C_VERSION__=120"
+        "-D__OPENCL_C_VERSION__=120", "-include", NATIVE_HEADER
 
 // What a known answer does not use is no warning's business here. PoCL may fuse a multiplication
 // and an addition into one, which rounds once; here none is fused. As functions, kernels have the
@@ -44,6 +44,15 @@ static void command_add(Command *command, const char *word)
 {
     if (command->n < MAX_WORDS - 1) {
         command->words[command->n++] = word;
+    }
+}
+
+// Add each word of a text, which is changed.
+static void command_add_words(Command *command, char *text)
+{
+    char *rest = NULL;
+    for (char *word = strtok_r(text, " ", &rest); word != NULL; word = strtok_r(NULL, " ", &rest)) {
+        command_add(command, word);
     }
 }
 
@@ -77,13 +86,24 @@ static int command_run(const Command *command, const char *log)
 
 // ---- The name of what is kept -------------------------------------------------------------------
 
-static void key_add(struct sha256_ctx *key, const char *text)
+// A hash of all that it comes from: FNV-1a.
+typedef uint64_t Key;
+#define KEY_OF_NOTHING UINT64_C(14695981039346656037)
+
+static void key_add_bytes(Key *key, const void *bytes, size_t n_bytes)
 {
-    sha256_update(key, strlen(text) + 1, (const uint8_t *)text);
+    for (size_t i = 0; i < n_bytes; i++) {
+        *key = (*key ^ ((const unsigned char *)bytes)[i]) * UINT64_C(1099511628211);
+    }
+}
+
+static void key_add(Key *key, const char *text)
+{
+    key_add_bytes(key, text, strlen(text) + 1);
 }
 
 // Whoever includes a file may include each beside it.
-static void key_add_folder(struct sha256_ctx *key, const char *folder)
+static void key_add_folder(Key *key, const char *folder)
 {
     struct dirent **entries;
     const int n = scandir(folder, &entries, NULL, alphasort);
@@ -105,12 +125,12 @@ static void key_add_folder(struct sha256_ctx *key, const char *folder)
 }
 
 // Another compiler makes other code.
-static void key_add_compiler(struct sha256_ctx *key)
+static void key_add_compiler(Key *key)
 {
     struct stat about;
     if (stat(CLANG, &about) == 0) {
-        sha256_update(key, sizeof about.st_size, (const uint8_t *)&about.st_size);
-        sha256_update(key, sizeof about.st_mtim, (const uint8_t *)&about.st_mtim);
+        key_add_bytes(key, &about.st_size, sizeof about.st_size);
+        key_add_bytes(key, &about.st_mtim, sizeof about.st_mtim);
     }
 }
 
@@ -118,10 +138,7 @@ static void key_add_compiler(struct sha256_ctx *key)
 static void path_of(const char *text, const Command *options, char path[PATH_MAX])
 {
     static const char *const code[] = {PREPROCESS, TRANSLATE, NULL};
-    struct sha256_ctx key;
-    uint8_t digest[SHA256_DIGEST_SIZE];
-    char name[2 * SHA256_DIGEST_SIZE + 1];
-    sha256_init(&key);
+    Key key = KEY_OF_NOTHING;
     key_add_compiler(&key);
     for (int i = 0; code[i] != NULL; i++) {
         key_add(&key, code[i]);
@@ -139,11 +156,7 @@ static void path_of(const char *text, const Command *options, char path[PATH_MAX
             key_add_folder(&key, is_joined ? word + 2 : word);
         }
     }
-    sha256_digest(&key, sizeof digest, digest);
-    for (size_t i = 0; i < sizeof digest; i++) {
-        snprintf(name + 2 * i, 3, "%02x", digest[i]);
-    }
-    path_make(path, NATIVE_CACHE "/%s", name);
+    path_make(path, NATIVE_CACHE "/%016" PRIx64, key);
 }
 
 // ---- Compiling ----------------------------------------------------------------------------------
@@ -168,9 +181,15 @@ static int append_entries(const char *path)
     return n < 0 ? -1 : 0;
 }
 
+// Is it an option of clang's, and not of the preprocessor's?
 static int is_of_language(const char *option)
 {
-    return strncmp(option, "-cl-", 4) == 0;
+    static const char *const begin[] = {"-cl-", "-f", "-g", "-O", "-mllvm", "-msan"};
+    size_t i = 0;
+    while (i < sizeof begin / sizeof *begin && strncmp(option, begin[i], strlen(begin[i])) != 0) {
+        i++;
+    }
+    return i < sizeof begin / sizeof *begin;
 }
 
 // The steps, on files whose names differ in their ending. Returns 0, or -1 where one failed.
@@ -202,14 +221,12 @@ static int compile(const char *text, const Command *options, const char *stem, c
 
 char *compile_kernels(const char *source, const char *options, char **log)
 {
-    char kept[PATH_MAX], stem[PATH_MAX], library[PATH_MAX], said[PATH_MAX], *rest = NULL;
+    char kept[PATH_MAX], stem[PATH_MAX], library[PATH_MAX], said[PATH_MAX];
     Command words = {0};
-    char *copy = strdup(options);
-    char *text = message_new("#include \"" NATIVE_HEADER "\"\n%s", source);
-    for (char *word = strtok_r(copy, " ", &rest); word != NULL; word = strtok_r(NULL, " ", &rest)) {
-        command_add(&words, word);
-    }
-    path_of(text, &words, kept);
+    const char *further = getenv(NATIVE_OPTIONS);
+    char *copy = message_new("%s %s", options, further != NULL ? further : "");
+    command_add_words(&words, copy);
+    path_of(source, &words, kept);
     int result = access(kept, R_OK);
     *log = NULL;
     if (result != 0) {
@@ -217,11 +234,10 @@ char *compile_kernels(const char *source, const char *options, char **log)
         path_make(stem, "%s.%d", kept, (int)getpid());
         path_make(library, "%s.so", stem);
         path_make(said, "%s.log", stem);
-        result = compile(text, &words, stem, library) == 0 ? rename(library, kept) : -1;
+        result = compile(source, &words, stem, library) == 0 ? rename(library, kept) : -1;
         *log = text_file_read(said);
         remove(said);
     }
-    free(text);
     free(copy);
     return result == 0 ? strdup(kept) : NULL;
 }

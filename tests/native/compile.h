@@ -6,6 +6,8 @@
 //
 //     void entry_render(void **arguments) { render(*(int *)arguments[0], ...); }
 //     constant uint parameters_render[] = {number of parameters, size and kind of each};
+//     constant uint elements_render[] = {of a buffer, the size of what it is an array of, ...};
+//     constant char names_render[] = "circles\0n_circles\0";
 //
 // Read next: kernels.h, which stands before each text.
 #ifndef NATIVE_COMPILE_H
@@ -15,6 +17,11 @@
 
 #define KERNEL_ENTRY "entry_"
 #define KERNEL_PARAMETERS "parameters_"
+#define KERNEL_ELEMENTS "elements_"
+#define KERNEL_NAMES "names_"
+
+// Words in the environment that clang gets besides, such as -fsanitize=address.
+#define NATIVE_OPTIONS "NATIVE_OPTIONS"
 
 // Compile a program's text, or find it compiled.
 //   options   as clBuildProgram() has them

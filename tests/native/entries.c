@@ -48,14 +48,20 @@ static Words trimmed(Words words)
     return words;
 }
 
-// The type of a parameter: "global const Sphere *" of "global const Sphere *spheres".
-static Words type_of(Words parameter)
+// "global const Sphere *spheres": the type is what comes before the name.
+typedef struct Parameter {
+    Words type, name;
+} Parameter;
+
+static Parameter parameter_of(Words text)
 {
-    parameter = trimmed(parameter);
-    while (parameter.length > 0 && is_of_name(parameter.at[parameter.length - 1])) {
-        parameter.length--;
+    Words type = trimmed(text);
+    const char *end = type.at + type.length;
+    while (type.length > 0 && is_of_name(type.at[type.length - 1])) {
+        type.length--;
     }
-    return trimmed(parameter);
+    const char *begin = type.at + type.length;
+    return (Parameter){trimmed(type), {begin, (size_t)(end - begin)}};
 }
 
 static int kind_of(Words type)
@@ -65,8 +71,8 @@ static int kind_of(Words type)
                                                               : PARAMETER_VALUE;
 }
 
-// Take the types of a kernel's parameters, which end at a ')'. Returns how many, or -1.
-static int read_types(const char *at, Words types[MAX_PARAMETERS], const char **end)
+// Take a kernel's parameters, which end at a ')'. Returns how many, or -1.
+static int read_parameters(const char *at, Parameter parameters[MAX_PARAMETERS], const char **end)
 {
     int n = 0;
     for (;; at++) {
@@ -74,7 +80,7 @@ static int read_types(const char *at, Words types[MAX_PARAMETERS], const char **
         if (at[length] == '\0' || at[length] == '(' || n == MAX_PARAMETERS) {
             return -1;
         }
-        types[n++] = type_of((Words){at, length});
+        parameters[n++] = parameter_of((Words){at, length});
         at += length;
         if (*at == ')') {
             *end = at + 1;
@@ -83,21 +89,45 @@ static int read_types(const char *at, Words types[MAX_PARAMETERS], const char **
     }
 }
 
-static void write_entry(Words name, const Words types[], int n, FILE *out)
+// A name of ours for each kernel: "NAME_render".
+static void write_name(const char *begin, Words name, FILE *out)
 {
-    fprintf(out, "\nvoid " KERNEL_ENTRY "%.*s(private void *private *arguments)\n{\n    %.*s(",
-            (int)name.length, name.at, (int)name.length, name.at);
+    fprintf(out, "%s%.*s", begin, (int)name.length, name.at);
+}
+
+static void write_entry(Words name, const Parameter parameters[], int n, FILE *out)
+{
+    // The host's arguments have no marks of the memory sanitizer's.
+    write_name("\n__attribute__((no_sanitize(\"memory\"))) void " KERNEL_ENTRY, name, out);
+    write_name("(private void *private *arguments)\n{\n    ", name, out);
     for (int i = 0; i < n; i++) {
-        fprintf(out, "%s*(%.*s private *)arguments[%d]", i > 0 ? ", " : "", (int)types[i].length,
-                types[i].at, i);
+        fprintf(out, "%s*(%.*s private *)arguments[%d]", i > 0 ? ", " : "(",
+                (int)parameters[i].type.length, parameters[i].type.at, i);
     }
-    fprintf(out, ");\n}\nconstant uint " KERNEL_PARAMETERS "%.*s[] = {%d", (int)name.length,
-            name.at, n);
+    write_name(");\n}\nconstant uint " KERNEL_PARAMETERS, name, out);
+    fprintf(out, "[] = {%d", n);
     for (int i = 0; i < n; i++) {
-        fprintf(out, ", sizeof(%.*s) | %d << %d", (int)types[i].length, types[i].at,
-                kind_of(types[i]), PARAMETER_KIND_BIT);
+        const Words type = parameters[i].type;
+        fprintf(out, ", sizeof(%.*s) | %d << %d", (int)type.length, type.at, kind_of(type),
+                PARAMETER_KIND_BIT);
     }
-    fprintf(out, "};\n");
+    write_name("};\nconstant uint " KERNEL_ELEMENTS, name, out);
+    fprintf(out, "[] = {0");
+    for (int i = 0; i < n; i++) {
+        const Words type = parameters[i].type;
+        if (kind_of(type) == PARAMETER_BUFFER) {
+            fprintf(out, ", sizeof(*(%.*s)0)", (int)type.length, type.at);
+        } else {
+            fprintf(out, ", 0");
+        }
+    }
+    write_name("};\nconstant char " KERNEL_NAMES, name, out);
+    fprintf(out, "[] = \"");
+    for (int i = 0; i < n; i++) {
+        write_name("", parameters[i].name, out);
+        fprintf(out, "\\0");
+    }
+    fprintf(out, "\";\n");
 }
 
 int entries_write(const char *text, FILE *out)
@@ -112,14 +142,14 @@ int entries_write(const char *text, FILE *out)
         const Words result = name_at(skip_blanks(at));
         const Words name = name_at(skip_blanks(result.at + result.length));
         const char *end = skip_blanks(name.at + name.length);
-        Words types[MAX_PARAMETERS];
-        const int n = *end == '(' ? read_types(end + 1, types, &end) : -1;
+        Parameter parameters[MAX_PARAMETERS];
+        const int n = *end == '(' ? read_parameters(end + 1, parameters, &end) : -1;
         if (!is_word(result, "void") || n < 0) {
             return -1;
         }
         // A declaration comes again as a definition.
         if (*skip_blanks(end) == '{') {
-            write_entry(name, types, n, out);
+            write_entry(name, parameters, n, out);
             n_entries++;
         }
     }

@@ -103,6 +103,10 @@ cl_kernel clCreateKernel(cl_program program, const char *name, cl_int *error)
     memcpy(&kernel->entry, &entry, sizeof entry);
     snprintf(symbol, sizeof symbol, KERNEL_PARAMETERS "%s", name);
     kernel->parameters = dlsym(program->library, symbol);
+    snprintf(symbol, sizeof symbol, KERNEL_ELEMENTS "%s", name);
+    kernel->elements = dlsym(program->library, symbol);
+    snprintf(symbol, sizeof symbol, KERNEL_NAMES "%s", name);
+    kernel->names = dlsym(program->library, symbol);
     *error = CL_SUCCESS;
     if (kernel->entry == NULL || kernel->parameters == NULL ||
         kernel->parameters[0] > MAX_PARAMETERS) {
@@ -164,13 +168,10 @@ cl_int clSetKernelArg(cl_kernel kernel, cl_uint number, size_t n_bytes, const vo
 
 // ---- Launches -----------------------------------------------------------------------------------
 
-// What a work-item may ask for: the numbers are those of builtins.cl.
-enum { ASKS_GLOBAL_ID, ASKS_LOCAL_ID, ASKS_GROUP_ID, ASKS_GLOBAL_SIZE, ASKS_LOCAL_SIZE, N_ASKED };
+cl_kernel kernel_running;
 
 static size_t asked[N_ASKED][N_DIMENSIONS];
 static size_t offset[N_DIMENSIONS];
-
-size_t native_item(cl_uint what, cl_uint dimension);
 
 size_t native_item(cl_uint what, cl_uint dimension)
 {
@@ -259,7 +260,10 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
     const cl_int error = take_sizes(n_dimensions, at, global, local, n_groups);
     if (error == CL_SUCCESS) {
         queue_catch_up();
+        kernel_running = kernel;
         each_place(n_groups, asked[ASKS_GROUP_ID], run_group, kernel, arguments);
+        kernel_running = NULL;
+        launch_has_ended();
     }
     return error;
 }

@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Vectors of 16 floats lie at multiples of this.
-#define ALIGNMENT 64
-
 static cl_mem known;
 
 int mem_is_known(cl_mem mem)
@@ -21,13 +18,22 @@ int mem_is_known(cl_mem mem)
     return other != NULL;
 }
 
+size_t mem_size_at(const void *bytes)
+{
+    cl_mem mem = known;
+    while (mem != NULL && mem->bytes != bytes) {
+        mem = mem->next;
+    }
+    return mem != NULL ? mem->n_bytes : 0;
+}
+
 // Memory of this size, or NULL with *error set.
 static cl_mem mem_new(size_t n_bytes, cl_int *error)
 {
     cl_mem mem = calloc(1, sizeof *mem);
     if (n_bytes == 0) {
         *error = CL_INVALID_BUFFER_SIZE;
-    } else if (mem == NULL || posix_memalign(&mem->bytes, ALIGNMENT, n_bytes) != 0) {
+    } else if (mem == NULL || (mem->bytes = memory_new(n_bytes)) == NULL) {
         *error = CL_MEM_OBJECT_ALLOCATION_FAILURE;
     } else {
         mem->n_bytes = n_bytes;
@@ -50,7 +56,7 @@ cl_int clReleaseMemObject(cl_mem mem)
         return CL_INVALID_MEM_OBJECT;
     }
     *link = mem->next;
-    free(mem->bytes);
+    memory_free(mem->bytes, mem->n_bytes);
     free(mem);
     return CL_SUCCESS;
 }
@@ -64,6 +70,7 @@ cl_mem clCreateBuffer(cl_context context, cl_mem_flags flags, size_t n_bytes, vo
     cl_mem mem = mem_new(n_bytes, error);
     if (mem != NULL && (flags & CL_MEM_COPY_HOST_PTR)) {
         memcpy(mem->bytes, h_bytes, n_bytes);
+        memory_was_set(mem->bytes, n_bytes);
     }
     return mem;
 }
@@ -77,6 +84,7 @@ cl_int clEnqueueFillBuffer(cl_command_queue queue, cl_mem buffer, const void *pa
     for (size_t i = 0; i < n_bytes; i += n_pattern_bytes) {
         memcpy((char *)buffer->bytes + offset + i, pattern, n_pattern_bytes);
     }
+    memory_was_set((char *)buffer->bytes + offset, n_bytes);
     return CL_SUCCESS;
 }
 
@@ -150,6 +158,7 @@ cl_int clEnqueueFillImage(cl_command_queue queue, cl_mem image, const void *colo
         for (size_t x = 0; x < region[0]; x++) {
             memcpy(first + y * (size_t)image->image.width + x, color, sizeof *first);
         }
+        memory_was_set(first + y * (size_t)image->image.width, n_row_bytes);
     }
     return CL_SUCCESS;
 }

@@ -3,7 +3,7 @@
 
 NATIVE := $(OUT)/native
 NATIVE_OPENCL := $(NATIVE)/libOpenCL.so
-NATIVE_SOURCES := $(wildcard tests/native/*.c) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
+NATIVE_SOURCES := $(filter-out tests/native/sanitized.c,$(wildcard tests/native/*.c)) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
 
 # A path from the root, for what is run in another folder; the course's own may hold blanks.
 from_root = $(if $(filter /%,$(1)),$(1),$(CURDIR)/$(1))
@@ -18,7 +18,7 @@ $(NATIVE)/obj/builtins.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG
 	    $(WARNINGS) -O2 -fPIC -ffp-contract=off -c $< -o $@
 $(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
 	@mkdir -p $(@D)/kernels
-	$(call say,link    $@)$(CC) -shared $^ -lnettle -ldl -lpthread -lm -o $@
+	$(call say,link    $@)$(CC) -shared $^ -ldl -lpthread -lm -o $@
 
 # What the grader links a probe with (tests/grader/run/variant_start.c): libcommon.a is a text here that names
 # two libraries to the linker.

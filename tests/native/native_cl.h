@@ -32,6 +32,21 @@ struct _cl_mem {
 // Is this a memory object, and not what a student took for one?
 int mem_is_known(cl_mem mem);
 
+// The size of the memory object whose bytes these are; 0 where there is none.
+size_t mem_size_at(const void *bytes);
+
+// What memory objects are made of: plain.c, or where the sanitizers look on, sanitized.c.
+//
+// Bytes for a memory object, on a multiple of 64, or NULL.
+void *memory_new(size_t n_bytes);
+void memory_free(void *bytes, size_t n_bytes);
+
+// Whoever has copied or filled these bytes has set their values.
+void memory_was_set(const void *bytes, size_t n_bytes);
+
+// The kernel has returned: its private variables are gone.
+void launch_has_ended(void);
+
 // ---- The queue ----------------------------------------------------------------------------------
 
 struct _cl_event {
@@ -64,8 +79,17 @@ enum { PARAMETER_VALUE = 0, PARAMETER_BUFFER = 1, PARAMETER_IMAGE = 2, PARAMETER
 struct _cl_kernel {
     void (*entry)(void *const *arguments);
     const cl_uint *parameters;  // how many, then each one's size and kind
+    const cl_uint *elements;    // of a buffer, the size of what it is an array of; else 0
+    const char *names;          // of the parameters, each with a '\0' behind it
     cl_uint is_set[MAX_PARAMETERS];
     _Alignas(16) char values[MAX_PARAMETERS][MAX_PARAMETER_BYTES];
 };
+
+// The kernel that runs, or NULL.
+extern cl_kernel kernel_running;
+
+// What a work-item may ask for: the numbers are those of builtins.cl.
+enum { ASKS_GLOBAL_ID, ASKS_LOCAL_ID, ASKS_GROUP_ID, ASKS_GLOBAL_SIZE, ASKS_LOCAL_SIZE, N_ASKED };
+size_t native_item(cl_uint what, cl_uint dimension);
 
 #endif

@@ -144,8 +144,9 @@ cl_int clGetCommandQueueInfo(cl_command_queue queue, cl_command_queue_info quest
 static void copy_run(const Copy *copy)
 {
     for (size_t row = 0; row < copy->n_rows; row++) {
-        memcpy((char *)copy->to + row * copy->to_pitch,
-               (const char *)copy->from + row * copy->from_pitch, copy->n_row_bytes);
+        char *to = (char *)copy->to + row * copy->to_pitch;
+        memcpy(to, (const char *)copy->from + row * copy->from_pitch, copy->n_row_bytes);
+        memory_was_set(to, copy->n_row_bytes);
     }
     if (copy->done != NULL) {
         copy->done->status = CL_COMPLETE;
