@@ -191,7 +191,7 @@ Test(picture, what_is_written_outside_is_found)
     static const int places[][2] = {{96, 0}, {0, 64}, {96, 64}, {111, 79}, {111, 0}, {0, 79}};
     Case *c = case_open(96, 64, 1);
     cr_assert(c->probe.image_width == 112 && c->probe.image_height == 80);
-    expect_message(picture_judge_padding(c->probe, 96, 64), NULL);
+    expect_message(picture_judge_padding(c->probe, &c->expected), NULL);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         for (int channel = 0; channel < IMAGE_CHANNELS; channel++) {
             float *value = &own_pixel(c, places[i][0], places[i][1])[channel];
@@ -199,12 +199,12 @@ Test(picture, what_is_written_outside_is_found)
             snprintf(part, sizeof part, "pixel (%d, %d) of a 96x64 picture", places[i][0],
                      places[i][1]);
             *value = channel % 2 ? NAN : 0;
-            expect_message(picture_judge_padding(c->probe, 96, 64), part);
-            expect_message(picture_judge_padding(c->probe, 96, 64), "or a barrier comes behind it");
+            expect_message(picture_judge_padding(c->probe, &c->expected), part);
+            expect_message(picture_judge_padding(c->probe, &c->expected), "or a barrier comes behind it");
             *value = UNWRITTEN;
         }
     }
-    expect_message(picture_judge_padding(c->probe, 96, 64), NULL);
+    expect_message(picture_judge_padding(c->probe, &c->expected), NULL);
     expect_right(c);
     case_close(c);
 }

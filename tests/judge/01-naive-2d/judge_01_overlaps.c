@@ -84,6 +84,9 @@ ANSWERS(by_half,
         "your answers are those of half the radius")
 ANSWERS(by_root, is_within(in, float_root(in), in.circle.radius),
         "your answers are those of a root, which is rounded: compare the squares")
+ANSWERS(cut_square,
+        is_within(in, trunc(squared(to_x(in)) + squared(to_y(in))), squared(in.circle.radius)),
+        "your answers are those of a distance² that was cut to a whole number")
 ANSWERS(by_x, is_within(in, 2 * squared(to_x(in)), squared(in.circle.radius)),
         "your answers are those of dx² + dx²: y has no part in them")
 
@@ -148,11 +151,11 @@ ONLY(whole_differences,
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {
-    &from_middle,    &from_corner,  &from_right,        &from_left, &from_below, &from_above,
-    &square,         &diamond,      &by_radius,         &by_half,   &by_root,    &by_x,
-    &by_amount,      &below_1,      &before_eye,        &farther,   &not_1,      &equal_depth,
-    &little_farther, &not_nearer,   &little_nearer,     &no_radius, &boundary,   &rounded_root,
-    &little_outside, &whole_centre, &whole_differences,
+    &from_middle,  &from_corner,    &from_right,   &from_left,         &from_below, &from_above,
+    &square,       &diamond,        &by_radius,    &by_half,           &by_root,    &cut_square,
+    &by_x,         &by_amount,      &below_1,      &before_eye,        &farther,    &not_1,
+    &equal_depth,  &little_farther, &not_nearer,   &little_nearer,     &no_radius,  &boundary,
+    &rounded_root, &little_outside, &whole_centre, &whole_differences,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

@@ -34,11 +34,32 @@ ANSWERS(fewer, LOW || in.n_circles < (u32)in.targetElementsPerNode || HOPELESS,
         "enough")
 ANSWERS(without_level, FEW || HOPELESS, "the level was not asked for")
 ANSWERS(without_count, LOW || HOPELESS, "the number of circles was not asked for")
-ANSWERS(level_and_count, (LOW && FEW) || HOPELESS,
-        "your answers are those of && between level and count: one reason is enough")
+#define BOTH_NEEDED "your answers are those of && between two reasons: one reason is enough"
+ANSWERS(level_and_count, (LOW && FEW) || HOPELESS, BOTH_NEEDED)
+ANSWERS(level_and_failed, (LOW && HOPELESS) || FEW, BOTH_NEEDED)
+ANSWERS(count_and_failed, LOW || (FEW && HOPELESS), BOTH_NEEDED)
+ANSWERS(level_and_rest, LOW && (FEW || HOPELESS), BOTH_NEEDED)
+ANSWERS(count_and_rest, FEW && (LOW || HOPELESS), BOTH_NEEDED)
+ANSWERS(failed_and_rest, HOPELESS && (LOW || FEW), BOTH_NEEDED)
+ANSWERS(all_three, LOW &&FEW &&HOPELESS, "one of the three reasons is enough, not only all")
+#define BEYOND "a limit itself counts, and so does everything beyond it"
+ANSWERS(just_level, in.level == in.maxDepth || FEW || HOPELESS, BEYOND)
+ANSWERS(just_count, LOW || in.n_circles == (u32)in.targetElementsPerNode || HOPELESS, BEYOND)
+ANSWERS(just_failed, LOW || FEW || in.n_failed == MAX_FAILED_SPLITS, BEYOND)
+#define TURNED "your answers are those of a comparison the wrong way round"
+ANSWERS(level_turned, in.level <= in.maxDepth || FEW || HOPELESS, TURNED)
+ANSWERS(level_below, in.level < in.maxDepth || FEW || HOPELESS, TURNED)
+ANSWERS(count_turned, LOW || in.n_circles >= (u32)in.targetElementsPerNode || HOPELESS, TURNED)
+ANSWERS(count_above, LOW || !FEW || HOPELESS, TURNED)
+ANSWERS(failed_turned, LOW || FEW || in.n_failed <= MAX_FAILED_SPLITS, TURNED)
+ANSWERS(failed_below, LOW || FEW || !HOPELESS, TURNED)
+ANSWERS(contrary, !LEAF_02, "1 and 0 are swapped: 1 is a leaf")
 ANSWERS(one_failed_more, LOW || FEW || in.n_failed > MAX_FAILED_SPLITS,
         "your answers are those of n_failed > MAX_FAILED_SPLITS: exactly that many are enough")
 ANSWERS(without_failed, LOW || FEW, "failed splits were not asked for")
+ANSWERS(limits_swapped,
+        in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || HOPELESS,
+        "the two limits are in each other's places")
 ANSWERS(one_failed, LOW || FEW || FAILED(1),
         "one failed split is no reason to stop, only MAX_FAILED_SPLITS are")
 ANSWERS(two_failed, LOW || FEW || FAILED(2),
@@ -62,10 +83,16 @@ ANSWERS(signed_count, LOW || (i32)in.n_circles <= in.targetElementsPerNode || HO
         "your answers are those of a count with a sign: n_circles has none")
 
 static const Known *const known_of_leaf[] = {
-    &just_1_and_0,    &one_level_more,  &one_level_less,   &fewer,          &without_level,
-    &without_count,   &level_and_count, &one_failed_more,  &without_failed, &one_failed,
-    &two_failed,      &three_failed,    &failed_added,     &limits_16_8,    &limits_4_1,
-    &level_in_8_bits, &count_in_8_bits, &count_in_16_bits, &signed_count};
+    &just_1_and_0,     &one_level_more,  &one_level_less,   &fewer,
+    &without_level,    &without_count,   &level_and_count,  &level_and_failed,
+    &count_and_failed, &level_and_rest,  &count_and_rest,   &failed_and_rest,
+    &all_three,        &just_level,      &just_count,       &just_failed,
+    &level_turned,     &level_below,     &count_turned,     &count_above,
+    &failed_turned,    &failed_below,    &contrary,         &limits_swapped,
+    &one_failed_more,  &without_failed,  &one_failed,       &two_failed,
+    &three_failed,     &failed_added,    &limits_16_8,      &limits_4_1,
+    &level_in_8_bits,  &count_in_8_bits, &count_in_16_bits, &signed_count,
+};
 
 static char *describe_leaf(const void *job, int i, const void *answers)
 {

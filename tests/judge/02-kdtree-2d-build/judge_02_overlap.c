@@ -125,6 +125,5 @@ static char *describe(const void *job, int i, const void *answers)
                        words_box2d(box).text, found, OVERLAPS);
 }
 
-const Function overlap_02 = {"overlaps",           N_OVERLAPS,
-                             sizeof(i32),          KNOWING(is_right, describe, known),
-                             .is_known_by_all = 1, .knows_constant = 1};
+const Function overlap_02 = {"overlaps", N_OVERLAPS, sizeof(i32),
+                             KNOWING(is_right, describe, known), .knows_constant = 1};

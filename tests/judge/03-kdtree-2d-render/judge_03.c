@@ -1,8 +1,7 @@
-// Judge of lab 03: getContainingChild on chosen inputs, pictures through given trees, counted work.
-// Read next: judge_03.h, judge_03_alone.c.
+// Judge of lab 03: getContainingChild on chosen inputs, pictures through given trees. Read next:
+// judge_03.h, judge_03_work.c, judge_03_alone.c.
 #include "judge_03.h"
 
-#include "job_work.h"
 #include "message.h"
 #include "words.h"
 
@@ -106,117 +105,10 @@ static char *describe(const void *job, int i, const void *answers)
                        cell_words(boxes[node.rChild]).text);
 }
 
-static const Function children = {"children",           N_CHILDREN,
-                                  sizeof(u32),          KNOWING(is_right_child, describe, known),
-                                  .is_known_by_all = 1, .knows_constant = 1};
+static const Function children = {"children", N_CHILDREN, sizeof(u32),
+                                  KNOWING(is_right_child, describe, known), .knows_constant = 1};
 
-// ---- Work ---------------------------------------------------------------------------------------
-
-// How many nodes above the leaf: every node whose cell holds the pixel lies on the way.
-static u32 steps_to_leaf(const KdTree2D *tree, int x, int y)
-{
-    u32 steps = 0;
-    for (u32 id = 0; id < tree->n_nodes; id++) {
-        steps += tree->nodes_flag[id] != LEAF && cell_holds(tree->nodes_BBox[id], x, y);
-    }
-    return steps;
-}
-
-// How many inner nodes the longest path from the root has. Children have higher ids than their
-// parent.
-static u32 longest_path(const KdTree2D *tree)
-{
-    u32 longest = 0, *above = calloc(tree->n_nodes, sizeof *above);
-    for (u32 id = 0; above != NULL && id < tree->n_nodes; id++) {
-        const NodeRel node = tree->nodes_Relations[id];
-        if (tree->nodes_flag[id] != LEAF) {
-            above[node.lChild] = above[node.rChild] = above[id] + 1;
-        }
-        longest = above[id] > longest ? above[id] : longest;
-    }
-    const int is_known = above != NULL;
-    free(above);
-    return is_known ? longest : UINT32_MAX;
-}
-
-// Is a pixel's work as it should be?
-//   is_drawn   every pixel of the scene ended in its leaf, as the picture shows
-typedef Diagnosis JudgeWork(const JobScene *scene, int x, int y, Work found, int is_drawn);
-
-// Were nodes asked again, or others? It is certain if the pixel ended in its leaf, or the
-// tree has no path of so many.
-static const char *explain_steps(const JobScene *scene, u32 found, u32 steps, int is_drawn)
-{
-    const int is_again = is_drawn || found > longest_path(&scene->tree);
-    return steps == 0   ? "the root is a leaf, and there is no step to take"
-           : found == 0 ? "either the function was not called, or not with &work: work that is "
-                          "hidden cannot be counted"
-           : found <= steps || !is_again ? NULL
-           : found == 2 * steps          ? "it was called twice for each node"
-                                         : "some nodes were asked more than once";
-}
-
-static Diagnosis judge_descent(const JobScene *scene, int x, int y, Work found, int is_drawn)
-{
-    const u32 steps = steps_to_leaf(&scene->tree, x, y);
-    return found.n_nodes_visited == steps
-               ? NOTHING_WRONG
-               : diagnosis_of(
-                     message_new("%s: pixel (%d, %d): getContainingChild was called %u time%s, "
-                                 "expected %u, once for each inner node on the way to the leaf",
-                                 scene->picture.title, x, y, found.n_nodes_visited,
-                                 plural(found.n_nodes_visited), steps),
-                     (Cause){.says = explain_steps(scene, found.n_nodes_visited, steps, is_drawn)});
-}
-
-static const char *explain_tests(u32 found, u32 n)
-{
-    return found == (n & 0xff)     ? "that is what 8 bits hold of it"
-           : found == (n & 0xffff) ? "that is what 16 bits hold of it"
-           : found == 0            ? "either the function was not called, or not with &work: work "
-                                     "that is hidden cannot be counted"
-           : n == 0                ? "an empty list has no circle to ask"
-           : found == 2 * n        ? "each was asked twice"
-           : found > n ? "some were asked more than once, or circles that are not in the list"
-                       : "circles of the list were not asked";
-}
-
-static Diagnosis judge_leaf(const JobScene *scene, int x, int y, Work found, int is_drawn)
-{
-    (void)is_drawn;
-    const KdTree2D *tree = &scene->tree;
-    const u32 n = tree->mapNode2Circles[tree->nodes_Relations[leaf_at(tree, x, y)].circleMapOffset];
-    return found.n_tests == n
-               ? NOTHING_WRONG
-               : diagnosis_of(message_new("%s: pixel (%d, %d): overlaps_N_Nearer was called %u "
-                                          "time%s, but the leaf lists %u circle%s",
-                                          scene->picture.title, x, y, found.n_tests,
-                                          plural(found.n_tests), n, plural(n)),
-                              (Cause){.says = explain_tests(found.n_tests, n)});
-}
-
-// Judge the counted work of scene K. In a large picture every seventh pixel each way is plenty: the
-// tree is asked node by node. In a small one a leaf may be a few pixels.
-static Verdict judge_work(const Job03 *job, int k, JudgeWork *judge_pixel, const Sections *answers)
-{
-    const JobScene *scene = &job->scenes[k];
-    const int width = scene->scene.width, height = scene->scene.height;
-    const Work *found = job_work_find(&scene->picture, k, answers);
-    Verdict verdict = found == NULL ? verdict_missing : verdict_passed;
-    const int step = width * height > 10000 ? 7 : 1;
-    const ProbeImage own = job_picture_answer(&scene->picture, k, answers);
-    const int is_drawn =
-        own.pixels != NULL && (picture_is_right(own, &scene->picture.expected) ||
-                               ends_in_leaves_03(job, k, answers));  // beside stand-ins
-    for (int y = 0; y < height; y += step) {
-        for (int x = 0; verdict.kind == VERDICT_PASSED && x < width; x += step) {
-            if (cell_holds(scene->tree.nodes_BBox[0], x, y)) {
-                verdict = verdict_of(judge_pixel(scene, x, y, found[y * width + x], is_drawn));
-            }
-        }
-    }
-    return verdict;
-}
+// ---- Leaf maps ----------------------------------------------------------------------------------
 
 // A leaf map in the numbers of its nodes, where the picture has the colours of two.
 static Verdict judge_leaf_map(const void *job, int k, const Sections *answers)
@@ -233,20 +125,11 @@ static Verdict judge_leaf_map(const void *job, int k, const Sections *answers)
     return verdict;
 }
 
-static Verdict judge_descent_work(const void *job, int k, const Sections *answers)
-{
-    return judge_work(job, k, judge_descent, answers);
-}
-
 // The kernel could write down any count: the leaf map shows whether other leaves' circles were
 // asked.
 static Verdict judge_leaf_works(const void *job, const Sections *answers)
 {
-    static const int scenes[] = {WIDE, EMPTY_LEAVES, ROOT_IS_LEAF, LONG_LIST};
-    Verdict verdict = verdict_passed;
-    for (int i = 0; verdict.kind == VERDICT_PASSED && i < COUNT(scenes); i++) {
-        verdict = judge_work(job, scenes[i], judge_leaf, answers);
-    }
+    const Verdict verdict = judge_leaf_work_03(job, answers);
     return verdict.kind == VERDICT_PASSED ? judge_picture(job, LEAF_MAP, answers) : verdict;
 }
 
@@ -263,7 +146,7 @@ static const JudgeCheck checks[] = {
     {"descent-leaf", "Every pixel ends in its own leaf", "descent", "*", .scene = judge_leaf_map,
      .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03, .alone_cause = descent_cause_03},
     {"descent-work", "One step a level, no more", "descent", "getContainingChild",
-     .scene = judge_descent_work, .range = {WIDE, 2, ROOT_IS_LEAF - WIDE}},
+     .all = judge_descent_work_03},
 
     {"leaf-random", "Random scenes", "leaf_loop", "*", .scene = judge_picture, .range = {0, ORDER}},
     {"leaf-order", "Of equal depths the lower index wins", "leaf_loop", "*", .scene = judge_picture,

@@ -1,6 +1,6 @@
 // What lab 03's judge asks of a submission: inputs of getContainingChild, and scenes with their
-// trees. Rolled in judge_03_job.c, judge_03_trees.c and judge_03_families.c, judged in judge_03.c;
-// answers are tried alone in judge_03_alone.c.
+// trees. Rolled in judge_03_job.c, judge_03_trees.c and judge_03_families.c, judged in judge_03.c
+// and judge_03_work.c; answers are tried alone in judge_03_alone.c.
 #ifndef JUDGE_JUDGE_03_H
 #define JUDGE_JUDGE_03_H
 
@@ -61,6 +61,11 @@ typedef struct Job03 {
 int roll_job_03(void *job, Random *random);
 void job_03_release(void *job);
 int job_03_write_scene(const void *job, int k, FILE *file);
+
+// Do the counted calls of getContainingChild and of overlaps_N_Nearer fit the way to the leaf, and
+// its list?
+Verdict judge_descent_work_03(const void *job, const Sections *answers);
+Verdict judge_leaf_work_03(const void *job, const Sections *answers);
 
 // One answer alone.
 int write_alone_03(const void *job, const char *task, FILE *file);

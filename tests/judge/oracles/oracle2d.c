@@ -196,6 +196,17 @@ static const u32 *list_at(const KdTree2D *tree, double x, double y)
     return NULL;
 }
 
+// How many of a list's entries are asked.
+static u32 n_asked(const KdTree2D *tree, const u32 *list, const OracleRules *rules)
+{
+    const u32 n = list != NULL ? list[0] : 0;
+    if (list == NULL || rules->count_is_end == 0) {
+        return n;
+    }
+    const u32 n_before = (u32)(list - tree->mapNode2Circles) + rules->count_is_end - 1;
+    return n > n_before ? n - n_before : 0;
+}
+
 // The id that is asked for entry i of a list in the tree's map.
 static u32 id_of_entry(const KdTree2D *tree, const u32 *list, u32 i, OracleId id)
 {
@@ -211,7 +222,7 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
     for (int v = 0; v < image->height; v++) {
         for (int u = 0; u < image->width; u++) {
             const u32 *list = rules->first_list ? tree->mapNode2Circles : list_at(tree, u, v);
-            const u32 n = list != NULL ? list[0] : 0;
+            const u32 n = n_asked(tree, list, rules);
             const Circle *found = NULL;
             double limit = INFINITY;
             for (u32 i = (u32)rules->skip_first; !is_end(i, n, found, rules); i++) {

@@ -46,6 +46,8 @@ typedef struct OracleRules {
     OracleId id;           // through a tree only
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
     int first_ids;         // or its own count, and the ids at the start
+    u32 count_is_end;      // the count is taken for the place in mapNode2Circles at which the list
+                           // ends: 1, ids stand up to that place, 2, before it
 } OracleRules;
 
 // Draw circles into an image of its size.

@@ -46,11 +46,10 @@ Verdict job_picture_judge(const JobPicture *picture, int k, const Sections *answ
 Verdict job_picture_judge_padding(const JobPicture *picture, int k, const Sections *answers)
 {
     const ProbeImage own = job_picture_answer(picture, k, answers);
-    const Image *reference = &picture->expected.reference;
     if (own.pixels == NULL) {
         return verdict_missing;
     }
-    const Diagnosis outside = picture_judge_padding(own, reference->width, reference->height);
+    const Diagnosis outside = picture_judge_padding(own, &picture->expected);
     // Drawing too little is no way to keep inside the picture.
     return verdict_of(outside.found != NULL ? outside
                                             : picture_judge_written(own, &picture->expected));

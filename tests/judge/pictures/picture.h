@@ -55,8 +55,8 @@ Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected);
 // Is it right? The same without a diagnosis, and quicker when it is not.
 int picture_is_right(ProbeImage own, const ExpectedPicture *expected);
 
-// Was anything written outside the picture of width x height?
-Diagnosis picture_judge_padding(ProbeImage own, int width, int height);
+// Was anything written outside the picture?
+Diagnosis picture_judge_padding(ProbeImage own, const ExpectedPicture *expected);
 
 // Is there any pixel nobody wrote?
 Diagnosis picture_judge_written(ProbeImage own, const ExpectedPicture *expected);

@@ -36,12 +36,17 @@ Words picture_place(ProbeImage own, const ExpectedPicture *expected);
 // The same of pixels that nobody wrote: "cut off: the last column is missing".
 Words picture_cut(ProbeImage own, const ExpectedPicture *expected);
 
+// Do unwritten pixels begin at a column that is the height, or at a row that is the width? A
+// work-item draws no pixel beyond them where x and y are swapped.
+int picture_is_swapped(ProbeImage own, const ExpectedPicture *expected);
+
 // How a guess, the picture that a known mistake would draw, fares against the student's picture.
 typedef struct Tally {
     size_t n_compared;   // pixels the guess says anything about
     size_t n_agree;      // of those, equal to the student's
     size_t n_wrong;      // of those, where the student differs from the reference
     size_t n_explained;  // of those, equal to the student's
+    int misses_first;    // the first of them, which the message shows, is none of those
 } Tally;
 
 // Add a pixel. One about which the reference or the guess says nothing, its tolerance INFINITY, is

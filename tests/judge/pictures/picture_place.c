@@ -101,16 +101,23 @@ Words picture_place(ProbeImage own, const ExpectedPicture *expected)
                : words("%s", "");
 }
 
-Words picture_cut(ProbeImage own, const ExpectedPicture *expected)
+int picture_is_swapped(ProbeImage own, const ExpectedPicture *expected)
 {
     const int width = expected->reference.width, height = expected->reference.height;
+    Part part;
+    return width != height && is_part(own, expected, is_missing, &part) &&
+           (part.first_column == height || part.first_row == width);
+}
+
+Words picture_cut(ProbeImage own, const ExpectedPicture *expected)
+{
     Part part;
     if (!is_part(own, expected, is_missing, &part)) {
         return words("%s", "");
     }
-    // A probe's launch reaches so far, and columns as far as rows where x and y are swapped.
-    const int is_swapped = width != height && (part.first_column == PROBE_IMAGE_SIDE(height) ||
-                                               part.first_row == PROBE_IMAGE_SIDE(width));
-    return words("cut off: %s missing%s", part_words(part, width, height).text,
-                 is_swapped ? ", as where x and y are swapped" : "");
+    return words("cut off: %s missing%s",
+                 part_words(part, expected->reference.width, expected->reference.height).text,
+                 picture_is_swapped(own, expected)
+                     ? ", as where x and y are swapped, or width and height"
+                     : "");
 }

@@ -20,6 +20,7 @@ void tally_add(Tally *tally, PixelPair pixel, const float *guess, float guess_to
     }
     const int agrees = is_same_color(pixel.own, guess, guess_tolerance);
     const int wrong = !is_same_color(pixel.own, pixel.wanted, pixel.tolerance);
+    tally->misses_first |= wrong && tally->n_wrong == 0 && !agrees;
     tally->n_compared++;
     tally->n_agree += (size_t)agrees;
     tally->n_wrong += (size_t)wrong;
@@ -28,7 +29,7 @@ void tally_add(Tally *tally, PixelPair pixel, const float *guess, float guess_to
 
 int tally_recognises(const Tally *tally)
 {
-    return tally->n_wrong >= MIN_WRONG &&
+    return tally->n_wrong >= MIN_WRONG && !tally->misses_first &&
            (double)tally->n_agree >= RECOGNISED_SHARE * (double)tally->n_compared &&
            (double)tally->n_explained >= EXPLAINED_SHARE * (double)tally->n_wrong;
 }

@@ -33,80 +33,48 @@ static int is_same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
-// Does a known mistake explain every answer of the range?
-static int is_known(const Function *function, const Known *known, const void *job, Range range,
+// Does a known mistake explain all that the function has answered?
+static int is_known(const Function *function, const Known *known, const void *job,
                     const void *answers)
 {
     int i = 0;
-    while (i < range.n &&
-           (known->fits(job, range_at(range, i), answers) ||
-            (known->is_only && function->is_right(job, range_at(range, i), answers)))) {
+    while (i < function->n && (known->fits(job, i, answers) ||
+                               (known->is_only && function->is_right(job, i, answers)))) {
         i++;
     }
-    return i == range.n;
+    return i == function->n;
 }
 
 // Are all answers the same, as where nothing was filled in?
-static int is_constant(const Function *function, Range range, const char *answers)
+static int is_constant(const Function *function, const char *answers)
 {
     const size_t n_bytes = function->answer_bytes;
-    const char *first = answers + (size_t)range.first * n_bytes;
     int i = 1;
-    while (i < range.n &&
-           memcmp(first, answers + (size_t)range_at(range, i) * n_bytes, n_bytes) == 0) {
+    while (i < function->n && memcmp(answers, answers + (size_t)i * n_bytes, n_bytes) == 0) {
         i++;
     }
-    return i == range.n;
+    return i == function->n;
 }
 
-// Does a mistake that says what an answer is (ANSWERS, EACH) explain every answer of a range?
-// *cause becomes the one that does. Returns how many do, with different sentences: 0, 1 or 2.
-static int count_answers(const Function *function, const void *job, Range range,
-                         const void *answers, Cause *cause)
+// The known mistake: one that says what an answer is (ANSWERS, EACH); if two with different
+// sentences explain the answers, none. If there is no such one, the first that says where answers
+// are wrong (ONLY). From answers that are all the same nothing is concluded, but where the list
+// knows such a mistake.
+static Cause explain(const Function *function, const void *job, const void *answers)
 {
-    int n = 0;
-    for (int k = 0; n < 2 && k < function->n_known; k++) {
-        const Known *known = function->known[k];
-        if (!known->is_only && is_known(function, known, job, range, answers) &&
-            (n == 0 || !is_same_text(cause->says, known->cause.says))) {
-            *cause = known->cause;
-            n++;
-        }
-    }
-    return n;
-}
-
-// The known mistake that explains every answer of the range: one that says what an answer is; of
-// several, the one that explains the answers of all ranges. If there is none, the first that says
-// where answers are wrong (ONLY).
-static Cause name_known(const Function *function, const void *job, Range range, const void *answers)
-{
-    const Range all = {.n = function->n};
-    if (function->is_known_by_all) {
-        range = all;
-    }
     Cause cause = {0};
-    const int n = count_answers(function, job, range, answers, &cause);
-    if (n > 0) {
-        return n == 1 || count_answers(function, job, all, answers, &cause) == 1 ? cause
-                                                                                 : (Cause){0};
-    }
-    for (int k = 0; k < function->n_known; k++) {
-        const Known *known = function->known[k];
-        if (known->is_only && is_known(function, known, job, range, answers)) {
-            return known->cause;
+    int n = !function->knows_constant && is_constant(function, answers) ? 2 : 0;
+    for (int is_only = 0; n == 0 && is_only < 2; is_only++) {
+        for (int k = 0; n < (is_only ? 1 : 2) && k < function->n_known; k++) {
+            const Known *known = function->known[k];
+            if (known->is_only == is_only && is_known(function, known, job, answers) &&
+                (n == 0 || !is_same_text(cause.says, known->cause.says))) {
+                cause = known->cause;
+                n++;
+            }
         }
     }
-    return cause;
-}
-
-// The cause. From answers that are all the same nothing is concluded, but where the list knows such
-// a mistake.
-static Cause explain(const Function *function, const void *job, Range range, const void *answers)
-{
-    return function->knows_constant || !is_constant(function, range, answers)
-               ? name_known(function, job, range, answers)
-               : (Cause){0};
+    return n == 1 ? cause : (Cause){0};
 }
 
 // What is wrong with the answers: how many, the first one, and what explains them.
@@ -127,7 +95,7 @@ static Diagnosis judge_counting(const Function *function, const void *job, Range
     const char *counted = function->counted != NULL ? function->counted : "inputs";
     char *found = message_new("%s (%d of %d %s are wrong)", wrong, n_wrong, range.n, counted);
     free(wrong);
-    return diagnosis_of(found, explain(function, job, range, answers));
+    return diagnosis_of(found, explain(function, job, answers));
 }
 
 Verdict function_judge(const Function *function, const void *job, Range range,
@@ -147,7 +115,7 @@ Cause function_cause(const Function *function, const void *job, Range range,
     Verdict verdict = function_judge(function, job, range, answers);
     const int has_failed = verdict.kind == VERDICT_FAILED;
     diagnosis_free(&verdict.diagnosis);
-    return has_failed ? explain(function, (const char *)job + function->inputs, range,
+    return has_failed ? explain(function, (const char *)job + function->inputs,
                                 function_answers(function, answers))
                       : (Cause){0};
 }

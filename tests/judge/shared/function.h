@@ -37,11 +37,10 @@ typedef struct Function {
     char *(*describe)(const void *job, int i, const void *answers);
     const char *counted;  // "points"; NULL for "inputs"
 
-    // The known mistakes (known.h), of which the cause is one that explains every answer of the
-    // range;
+    // The known mistakes (known.h). The cause is one that explains every answer, in the ranges of
+    // other checks, too: else it is not what the function does.
     const Known *const *known;
     int n_known;
-    int is_known_by_all;  // and every answer of the other ranges, which share few of their mistakes
     // Of answers that are all the same nothing is concluded, but where some mistake of the list
     // makes them so.
     int knows_constant;

@@ -196,6 +196,9 @@ static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Ima
 #define FIRST_LIST                                                                                 \
     "drawn as if every pixel read the list at the start of mapNode2Circles: a leaf's ids begin "   \
     "behind its circleMapOffset, and that of an inner node points to the start"
+#define COUNT_AS_END                                                                               \
+    "drawn as if a leaf's count were the position at which its list ends: it says how many ids "   \
+    "there are"
 #define PLACE_AS_ID "drawn as if a position in the list were used as the circle's id"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
@@ -270,6 +273,8 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
         {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_0}},
         {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_1}},
         {{.says = PLACE_AS_ID}, {.id = ID_PLACE_IN_MAP}},
+        {{.says = COUNT_AS_END}, {.count_is_end = 1}},
+        {{.says = COUNT_AS_END}, {.count_is_end = 2}},
         {{.says = FIRST_LIST}, {.first_ids = 1}},
         {{.says = FIRST_LIST}, {.first_list = 1}},
     };

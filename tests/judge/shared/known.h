@@ -3,15 +3,16 @@
 // A known mistake is one expression, with what is said of it, and its kind where it has one:
 //
 //   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped")
-//       what an answer with the mistake is for the input `in`: every answer of a range must be it;
+//       what an answer with the mistake is for the input `in`: every answer must be it;
 //       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
 //   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
-//       could the wrong answer `found` be of the mistake? Every wrong one of a range must.
+//       could the wrong answer `found` be of the mistake? Every wrong one must.
 //
-// ANSWERS and EACH are asked first. If two with different sentences explain the range, the one that
-// explains the answers of all ranges is named; if none or both do, nothing is said. Of ONLY the
-// first of the list is named: the special one is before the general one. NULL for a sentence: then
-// nothing is said. What is right is told without mistakes:
+// "Every" is every answer of the function, in the ranges of all checks: a sentence that is true in
+// one check and not in another is not the cause. ANSWERS and EACH are asked first; if two with
+// different sentences explain the answers, nothing is said. Of ONLY the first of the list is named:
+// the special one is before the general one. NULL for a sentence: then nothing is said. What is
+// right is told without mistakes:
 //
 //   RIGHT(is_right, found == near_side(in))
 //

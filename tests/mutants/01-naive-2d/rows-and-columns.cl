@@ -1,7 +1,7 @@
 // mutant: x counts rows and y columns
 // task: own_pixel
 // caught by: own_pixel-picture
-// says: nobody wrote
+// says: nobody wrote.* as where x and y are swapped
 // looks: unwritten
     const int x = get_global_id(1);
     const int y = get_global_id(0);

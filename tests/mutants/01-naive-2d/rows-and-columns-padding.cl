@@ -1,0 +1,10 @@
+// mutant: x counts rows and y columns, and the guard fits them
+// task: own_pixel
+// caught by: own_pixel-padding
+// says: x and y are swapped
+// looks: unwritten
+    const int x = get_global_id(1);
+    const int y = get_global_id(0);
+    if (y >= width || x >= height) {
+        return;
+    }
