@@ -129,13 +129,28 @@ int job_write_alone(const Job *job, const char *task, FILE *file)
 
 // ---- Judging ------------------------------------------------------------------------------------
 
+// May another scene say more? An empty picture, or one of a single colour, has many causes.
+static int is_plain(Verdict verdict)
+{
+    return verdict.kind == VERDICT_FAILED && verdict.diagnosis.cause == NULL &&
+           verdict.diagnosis.evidence == EVIDENCE_PLAIN_PICTURE;
+}
+
+// The first scene that does not pass; if its picture is plain, the first of which more is known.
 static Verdict judge_scenes(const Job *job, const JudgeCheck *check, const Sections *answers)
 {
     Verdict verdict = verdict_passed;
-    for (int i = 0; verdict.kind == VERDICT_PASSED && i < check->range.n; i++) {
+    for (int i = 0; (verdict.kind == VERDICT_PASSED || is_plain(verdict)) && i < check->range.n;
+         i++) {
         const int k = range_at(check->range, i);
-        verdict = check->tree != NULL ? check->tree(job, k, check, answers)
-                                      : check->scene(job, k, answers);
+        Verdict next = check->tree != NULL ? check->tree(job, k, check, answers)
+                                           : check->scene(job, k, answers);
+        if (verdict.kind == VERDICT_PASSED || next.diagnosis.cause != NULL) {
+            diagnosis_free(&verdict.diagnosis);
+            verdict = next;
+        } else {
+            diagnosis_free(&next.diagnosis);
+        }
     }
     return verdict;
 }

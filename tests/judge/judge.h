@@ -34,8 +34,9 @@ typedef struct JudgeCheck {
     const char *needs;  // whose answers have a part in it besides: see verdict.h
 
     // One of these decides: a function of the student's over a range of inputs; each scene of a
-    // range, of which the first that does not pass is the verdict; the same of each scene's tree,
-    // by the property below; or all the answers at once.
+    // range, of which the first that does not pass is the verdict (judge_scenes() has an
+    // exception); the same of each scene's tree, by the property below; or all the answers at
+    // once.
     const Function *function;
     Verdict (*scene)(const void *job, int k, const Sections *answers);
     Verdict (*tree)(const void *job, int k, const struct JudgeCheck *check,

@@ -84,6 +84,27 @@ ANSWERS(by_half,
         "your answers are those of half the radius")
 ANSWERS(by_root, is_within(in, float_root(in), in.circle.radius),
         "your answers are those of a root, which is rounded: compare the squares")
+ANSWERS(by_two_radii, is_within(in, squared(to_x(in)) + squared(to_y(in)), 2.0 * in.circle.radius),
+        "your answers are those of 2 * radius: its square is radius * radius")
+ANSWERS(by_difference,
+        is_within(in, squared(to_x(in)) - squared(to_y(in)), squared(in.circle.radius)),
+        "your answers are those of dx² - dy²: the squares are added")
+ANSWERS(by_sums,
+        is_within(in, squared((double)in.x + in.circle.x) + squared((double)in.y + in.circle.y),
+                  squared(in.circle.radius)),
+        "your answers are those of pixel plus centre: dx and dy are differences")
+ANSWERS(by_other_axis,
+        is_within(in, squared((double)in.x - in.circle.y) + squared((double)in.y - in.circle.x),
+                  squared(in.circle.radius)),
+        "x was compared with the centre's y, and y with its x")
+#define COVERS oracle2d_covers(in.circle, in.x, in.y)
+#define NEARER (in.circle.depth < in.minDepth)
+#define TURNED "your answers are those of a circle that covers what is outside of it"
+ANSWERS(outside, outside_by_01(in) >= 0 && NEARER, TURNED)
+ANSWERS(just_outside, outside_by_01(in) > 0 && NEARER, TURNED)
+ANSWERS(either, COVERS || NEARER,
+        "your answers are those of || between the two tests: both have to hold")
+ANSWERS(contrary, !(COVERS && NEARER), "1 and 0 are swapped")
 ANSWERS(cut_square,
         is_within(in, trunc(squared(to_x(in)) + squared(to_y(in))), squared(in.circle.radius)),
         "your answers are those of a distance² that was cut to a whole number")
@@ -151,11 +172,15 @@ ONLY(whole_differences,
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {
-    &from_middle,  &from_corner,    &from_right,   &from_left,         &from_below, &from_above,
-    &square,       &diamond,        &by_radius,    &by_half,           &by_root,    &cut_square,
-    &by_x,         &by_amount,      &below_1,      &before_eye,        &farther,    &not_1,
-    &equal_depth,  &little_farther, &not_nearer,   &little_nearer,     &no_radius,  &boundary,
-    &rounded_root, &little_outside, &whole_centre, &whole_differences,
+    &from_middle,   &from_corner,    &from_right,    &from_left,
+    &from_below,    &from_above,     &square,        &diamond,
+    &by_radius,     &by_half,        &by_root,       &by_two_radii,
+    &by_difference, &by_sums,        &by_other_axis, &outside,
+    &just_outside,  &either,         &contrary,      &cut_square,
+    &by_x,          &by_amount,      &below_1,       &before_eye,
+    &farther,       &not_1,          &equal_depth,   &little_farther,
+    &not_nearer,    &little_nearer,  &no_radius,     &boundary,
+    &rounded_root,  &little_outside, &whole_centre,  &whole_differences,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

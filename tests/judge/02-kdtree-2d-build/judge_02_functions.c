@@ -60,6 +60,12 @@ ANSWERS(without_failed, LOW || FEW, "failed splits were not asked for")
 ANSWERS(limits_swapped,
         in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || HOPELESS,
         "the two limits are in each other's places")
+#define TARGET_IGNORED                                                                             \
+    "your answers are those of a number of your own: targetElementsPerNode says what is few"
+ANSWERS(none_left, LOW || in.n_circles == 0 || HOPELESS, TARGET_IGNORED)
+ANSWERS(one_left, LOW || in.n_circles <= 1 || HOPELESS, TARGET_IGNORED)
+ANSWERS(failed_added_beyond, in.level + in.n_failed > in.maxDepth || FEW || HOPELESS,
+        "your answers are those of a level to which failed splits were added")
 ANSWERS(one_failed, LOW || FEW || FAILED(1),
         "one failed split is no reason to stop, only MAX_FAILED_SPLITS are")
 ANSWERS(two_failed, LOW || FEW || FAILED(2),
@@ -83,15 +89,16 @@ ANSWERS(signed_count, LOW || (i32)in.n_circles <= in.targetElementsPerNode || HO
         "your answers are those of a count with a sign: n_circles has none")
 
 static const Known *const known_of_leaf[] = {
-    &just_1_and_0,     &one_level_more,  &one_level_less,   &fewer,
-    &without_level,    &without_count,   &level_and_count,  &level_and_failed,
-    &count_and_failed, &level_and_rest,  &count_and_rest,   &failed_and_rest,
-    &all_three,        &just_level,      &just_count,       &just_failed,
-    &level_turned,     &level_below,     &count_turned,     &count_above,
-    &failed_turned,    &failed_below,    &contrary,         &limits_swapped,
-    &one_failed_more,  &without_failed,  &one_failed,       &two_failed,
-    &three_failed,     &failed_added,    &limits_16_8,      &limits_4_1,
-    &level_in_8_bits,  &count_in_8_bits, &count_in_16_bits, &signed_count,
+    &just_1_and_0,        &one_level_more,   &one_level_less,  &fewer,
+    &without_level,       &without_count,    &level_and_count, &level_and_failed,
+    &count_and_failed,    &level_and_rest,   &count_and_rest,  &failed_and_rest,
+    &all_three,           &just_level,       &just_count,      &just_failed,
+    &level_turned,        &level_below,      &count_turned,    &count_above,
+    &failed_turned,       &failed_below,     &contrary,        &limits_swapped,
+    &one_failed_more,     &without_failed,   &none_left,       &one_left,
+    &failed_added_beyond, &one_failed,       &two_failed,      &three_failed,
+    &failed_added,        &limits_16_8,      &limits_4_1,      &level_in_8_bits,
+    &count_in_8_bits,     &count_in_16_bits, &signed_count,
 };
 
 static char *describe_leaf(const void *job, int i, const void *answers)
@@ -152,7 +159,7 @@ RIGHT(is_longer, IS_FOUND(WIDTH >= HEIGHT))
 #define NEARLY_EQUAL                                                                               \
     (WIDTH != HEIGHT && HEIGHT - WIDTH < HEIGHT / 1024 && WIDTH - HEIGHT < WIDTH / 1024)
 #define SHORTER "the shorter side was split"
-#define NOT_EQUAL "the sides are not equal, if nearly, and the longer one is split"
+#define NOT_EQUAL "the sides are not equal, if nearly: the longer one is split"
 
 ANSWERS(by_corners, in.maxX >= in.maxY,
         "maxX and maxY were compared: the lengths of the sides count")
@@ -183,6 +190,16 @@ RIGHT(is_middle, IS_FOUND(MIDDLE))
 
 ANSWERS(half_the_width, (HIGH_END - LOW_END) / 2,
         "that is half the width: the cell does not begin at 0")
+ANSWERS(half_of_max, HIGH_END / 2, "that is half of the upper border: the cell does not begin at 0")
+ANSWERS(behind_max, HIGH_END + (HIGH_END - LOW_END) / 2,
+        "half the length was added to the upper border, not to the lower one")
+ANSWERS(middle_added, LOW_END + MIDDLE, "the middle was added to the lower border once more")
+#define OTHER_MIDDLE "that is the middle of the other side's borders"
+ANSWERS(middle_of_x, (float)(((double)in.minX + in.maxX) / 2), OTHER_MIDDLE)
+ANSWERS(middle_of_y, (float)(((double)in.minY + in.maxY) / 2), OTHER_MIDDLE)
+#define WHOLE_LENGTH "the length of a side was made a whole number"
+ANSWERS(whole_length, LOW_END + truncf(HIGH_END - LOW_END) / 2, WHOLE_LENGTH)
+ANSWERS(whole_half, LOW_END + truncf((HIGH_END - LOW_END) / 2), WHOLE_LENGTH)
 #define HALF_OF(half_side) (OWN_SIDE == (half_side) ? (HIGH_END - LOW_END) / 2 : MIDDLE)
 #define HALF_OF_ONE "that is half the length of one of the two sides: the cell does not begin at 0"
 ANSWERS(half_of_x, HALF_OF(SIDE_X), HALF_OF_ONE)
@@ -195,9 +212,10 @@ ONLY(swapped, IS_LOWER(1, MIDDLE) && IS_UPPER(0, MIDDLE), "left and right are sw
 ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
      "one half is right and the other is not: both have the border in the middle")
 
-static const Known *const known_of_middle[] = {&half_the_width, &half_of_x,    &half_of_y,
-                                               &cut_to_whole,   &rounded_down, &border_moved,
-                                               &swapped,        &one_right};
+static const Known *const known_of_middle[] = {
+    &half_of_max,  &behind_max,   &middle_added,   &middle_of_x, &middle_of_y,
+    &whole_length, &whole_half,   &half_the_width, &half_of_x,   &half_of_y,
+    &cut_to_whole, &rounded_down, &border_moved,   &swapped,     &one_right};
 
 // Facts: with what is expected on the left, across the right side or across the student's.
 static char *describe_split(BBox2D box, const BBox2D found[2], BBox2D left)

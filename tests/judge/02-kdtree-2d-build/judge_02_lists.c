@@ -65,6 +65,7 @@ static int is_list(const Job02 *job, ListCall call, const u32 *found, MistakenLi
     static u32 name##_list(const Job02 *all, ListCall in, u32 *list)                               \
     {                                                                                              \
         u32 n = 0;                                                                                 \
+        (void)all;                                                                                 \
         for (u32 j = 0; j < (n_asked); j++) {                                                      \
             if (is_listed) {                                                                       \
                 list[place] = written;                                                             \
@@ -97,6 +98,42 @@ LIST(by_centre, in.n_ids, holds_centre(all, in, ID), n, ID, n + 1,
      MISTAKE_MISSING_IN_CELL)
 LIST(count_of_8_bits, in.n_ids, KEPT(ID), n, ID, (n + 1) & 0xff,
      "the number of ids is kept in 8 bits", MISTAKE_MISSING_IN_CELL)
+
+LIST(contrary, in.n_ids, !KEPT(ID), n, ID, n + 1,
+     "these are the circles that do not overlap the cell")
+LIST(everyone, in.n_ids, 1, n, ID, n + 1,
+     "every circle of the node is listed, whether or not it overlaps the cell")
+LIST(without_first, in.n_ids - (in.n_ids > 0), KEPT(in.ids[j + 1]), n, in.ids[j + 1], n + 1,
+     "the first of ids[] is never asked: positions count from 0", MISTAKE_MISSING_IN_CELL)
+LIST(without_last, in.n_ids - (in.n_ids > 0), KEPT(ID), n, ID, n + 1,
+     "the last of ids[] is never asked", MISTAKE_MISSING_IN_CELL)
+LIST(from_position_1, in.n_ids, KEPT(ID), n + 1, ID, n + 1,
+     "the first id stands at position 1: positions count from 0")
+LIST(all_at_0, in.n_ids, KEPT(ID), 0, ID, 0,
+     "each id is written over the one before: the position has to move on")
+
+// How many ids come before the first that does not belong into the list.
+static u32 n_leading(const Job02 *job, ListCall call)
+{
+    u32 n = 0;
+    while (n < call.n_ids && is_kept(job, call, call.ids[n])) {
+        n++;
+    }
+    return n;
+}
+
+LIST(ends_at_other, n_leading(all, in), 1, n, ID, n + 1,
+     "the loop ends at the first circle that does not overlap: later ones may",
+     MISTAKE_MISSING_IN_CELL)
+
+static u32 count_first_list(const Job02 *all, ListCall in, u32 *list)
+{
+    list[0] = from_position_1_list(all, in, list);
+    return list[0];
+}
+
+EACH(count_first, is_list(all, in, found, count_first_list),
+     "child_ids[] gets ids only: the count is returned")
 
 static int is_equal_circle(Circle a, Circle b)
 {
@@ -158,14 +195,19 @@ ONLY(reordered, is_reordered(KEPT_OF, N_FOUND),
      "these are the right circles in another order: ids ascend, as in ids[]")
 ONLY(equal_missing, KEPT_OF.n_listed < KEPT_OF.n && KEPT_OF.n_equal == KEPT_OF.n,
      "circles that are equal are all listed", MISTAKE_MISSING_IN_CELL)
+ONLY(miscounted, N_FOUND != KEPT_OF.n && KEPT_OF.n_in_place == KEPT_OF.n,
+     "the list is right and its number is not: return how many ids were written")
 ONLY(ends_early, N_FOUND > 0 && N_FOUND < KEPT_OF.n && KEPT_OF.n_in_place == N_FOUND,
-     "there is room for more ids", MISTAKE_MISSING_IN_CELL)
+     "the list ends too early: there is room for more ids", MISTAKE_MISSING_IN_CELL)
 ONLY(lost, IS_LOST(KEPT_OF), NULL, MISTAKE_MISSING_IN_CELL)
 
 static const Known *const known_lists[] = {
-    &from_the_back, &asks_position, &lists_position,  &counted_on,  &all_between,
-    &with_gaps,     &by_centre,     &count_of_8_bits, &empty_asked, &end_marked,
-    &reordered,     &equal_missing, &ends_early,      &lost,
+    &from_the_back,   &asks_position, &lists_position, &counted_on,
+    &all_between,     &with_gaps,     &by_centre,      &count_of_8_bits,
+    &contrary,        &everyone,      &without_first,  &without_last,
+    &from_position_1, &all_at_0,      &ends_at_other,  &count_first,
+    &empty_asked,     &end_marked,    &reordered,      &equal_missing,
+    &miscounted,      &ends_early,    &lost,
 };
 
 static char *describe_list(const void *job, int i, const void *answers)
@@ -221,7 +263,10 @@ EACH(at_first_id, offset == in->n_before + 1, "it points behind the count, at th
 EACH(at_end, offset == in->n_before + 1 + in->n_ids,
      "that is the end of the list: n_map had moved before")
 
-static const Known *const known_offsets[] = {&at_first_id, &at_end};
+EACH(at_id, offset == in->id, "that is the node's id")
+EACH(unset, offset == 0, "circleMapOffset was not set, or always to 0")
+
+static const Known *const known_offsets[] = {&at_first_id, &at_end, &at_id, &unset};
 
 static char *describe_offset(const void *job, int i, const void *answers)
 {
@@ -236,7 +281,9 @@ EACH(counts_itself, count == in->n_ids + 1, "the count counts the ids, and not i
 EACH(cut_count, count == (in->n_ids & 0xff), "that is what 8 bits hold of it")
 ONLY(no_list, count == UNTOUCHED && in->n_ids == 0, "an empty leaf has a list, too: a count of 0")
 
-static const Known *const known_counts[] = {&counts_itself, &cut_count, &no_list};
+ONLY(no_count, in->n_ids == 0 || count == in->ids[0], "the first id stands where the count belongs")
+
+static const Known *const known_counts[] = {&counts_itself, &cut_count, &no_list, &no_count};
 
 static char *describe_count(const void *job, int i, const void *answers)
 {
@@ -332,21 +379,35 @@ static char *describe_rest(const void *job, int i, const void *answers)
 
 RIGHT(is_right_rest, facts_are_none(describe_rest(job, i, answers)))
 
+// Are the second id and those behind it where the first one and those behind it belong?
+static int is_one_early(const PackJob *in, const u32 *list)
+{
+    u32 j = 1;
+    while (j < in->n_ids && list[j - 1] == in->ids[j]) {
+        j++;
+    }
+    return j >= in->n_ids && list[in->n_ids - (in->n_ids > 0)] == UNTOUCHED;
+}
+
 #define END (in->n_before + 1 + in->n_ids)
 
 #define OWN found->relations[in->id]
 
+ONLY(unmarked, found->flags[in->id] != LEAF, "pack_leaf marks the leaf")
+ONLY(one_early, in->n_ids > 0 && is_one_early(in, list),
+     "the ids stand one position too early: ids[0] comes right behind the count")
 ONLY(count_left_out, found->n_map == END - 1, "the count is an entry, too")
 ONLY(map_of_copy, found->n_map == in->n_before,
-     "n_map has to move in the tree that was handed over, and not in a copy")
+     "n_map has to move, in the tree that was handed over and not in a copy")
 ONLY(one_entry_more, found->n_map == END && found->map[END] != UNTOUCHED,
      "that is one entry more than count and ids: there may be no room for it")
 ONLY(leaf_changed, OWN.id != in->id || OWN.lChild != 0 || OWN.rChild != 0,
      "of the leaf's NodeRel only circleMapOffset changes")
 ONLY(other_changed, is_other_changed(in, found), "that is another node, and stays as it is")
 
-static const Known *const known_rest[] = {PACKED_KNOWN,    &count_left_out, &map_of_copy,
-                                          &one_entry_more, &leaf_changed,   &other_changed};
+static const Known *const known_rest[] = {PACKED_KNOWN,    &unmarked,     &one_early,
+                                          &count_left_out, &map_of_copy,  &one_entry_more,
+                                          &leaf_changed,   &other_changed};
 
 const Function pack_count_02 = {"pack", N_PACKS, sizeof(PackAnswer),
                                 KNOWING(is_right_count, describe_count, known_counts),

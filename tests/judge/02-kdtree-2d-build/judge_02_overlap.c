@@ -90,6 +90,19 @@ ANSWERS(min_for_max,
 #define ONE_BORDER                                                                                 \
     "your answers are those of a centre that is clamped by one border of each axis: a cell has "   \
     "two"
+ANSWERS(max_for_min, covers(circle, box.maxX, box.maxY),
+        "your answers are those of fmin and fmax in each other's places")
+ANSWERS(contrary, !OVERLAPS, "1 and 0 are swapped: 1 means that they overlap")
+ANSWERS(half_radius, 4 * D2 <= RADIUS * RADIUS, "your answers are those of half the radius")
+ANSWERS(twice_radius, D2 <= 4 * RADIUS * RADIUS, "your answers are those of twice the radius")
+ANSWERS(subtracted, squared(reach.outside[0]) - squared(reach.outside[1]) <= RADIUS * RADIUS,
+        "the squares of both distances are added, not subtracted")
+ANSWERS(one_is_enough, reach.outside[0] <= RADIUS || reach.outside[1] <= RADIUS,
+        "your answers are those of || between the axes: the distance takes both of them together")
+ANSWERS(whole_border,
+        covers(circle, trunc(clamped(circle.x, box.minX, box.maxX)),
+               trunc(clamped(circle.y, box.minY, box.maxY))),
+        "the nearest point was made a whole number: a border may lie between two pixels")
 ANSWERS(by_min, covers(circle, fmax(circle.x, box.minX), fmax(circle.y, box.minY)), ONE_BORDER)
 ANSWERS(by_max, covers(circle, fmin(circle.x, box.maxX), fmin(circle.y, box.maxY)), ONE_BORDER)
 ANSWERS(y_by_max_x,
@@ -110,10 +123,15 @@ ANSWERS(circle_around,
         "your answers are those of a circle around the cell")
 EACH(square, IS_OF_BOX, "the circle's bounding square overlaps, the circle does not")
 
+ONLY(level, !found && (reach.outside[0] == 0 || reach.outside[1] == 0),
+     "where the centre is between two opposite borders, the distance on that axis is 0")
+
 static const Known *const known[] = {
-    &just_1_and_0, &by_centre, &by_open_centre, &corners, &with_centre,  &with_tips,
-    &middle,       &border,    &min_for_max,    &by_min,  &by_max,       &y_by_max_x,
-    &y_by_x,       &x_by_y,    &circle_around,  &square,  OVERLAP_KNOWN,
+    &just_1_and_0, &by_centre,     &by_open_centre, &corners,      &with_centre,
+    &with_tips,    &middle,        &border,         &min_for_max,  &max_for_min,
+    &contrary,     &half_radius,   &twice_radius,   &subtracted,   &one_is_enough,
+    &whole_border, &by_min,        &by_max,         &y_by_max_x,   &y_by_x,
+    &x_by_y,       &circle_around, &square,         OVERLAP_KNOWN, &level,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

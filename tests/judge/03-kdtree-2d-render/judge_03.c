@@ -59,6 +59,12 @@ ANSWERS(rounded_borders, cell_holds(rounded(left, nearest), in.x, in.y), WHOLE_B
 ANSWERS(no_sign, left.minX >= 0 && left.minY >= 0 && HELD(in.x, in.y),
         "your answers are those of numbers without a sign: a cell may begin at negative "
         "coordinates")
+#define IN_MIDDLE                                                                                  \
+    "the border was put into the middle of the cell: the cells of its children say where it is"
+ANSWERS(by_middle,
+        cell.maxX - cell.minX >= cell.maxY - cell.minY ? in.x < ((double)cell.minX + cell.maxX) / 2
+                                                       : in.y < ((double)cell.minY + cell.maxY) / 2,
+        IN_MIDDLE)
 ANSWERS(x_alone, IN_X, ONE_AXIS)
 ANSWERS(y_alone, IN_Y, ONE_AXIS)
 ANSWERS(copied_x, IN_X &&in.y >= left.minY && in.y < left.maxX, OTHER_AXIS)
@@ -84,9 +90,9 @@ ONLY(near_border, TO_X < EPSILON || TO_Y < EPSILON,
      "your answers are those with an epsilon: none is needed")
 
 static const Known *const known[] = {
-    &inner,           &inner_x,     &inner_y, &border,   &middle,    &corner,      &cut_borders,
-    &rounded_borders, &no_sign,     &x_alone, &y_alone,  &copied_x,  &copied_y,    &swapped_axes,
-    &contrary,        &always_left, &is_side, &no_child, &on_border, &near_border,
+    &inner,           &inner_x,  &inner_y,     &border,  &middle,   &corner,    &cut_borders,
+    &rounded_borders, &no_sign,  &by_middle,   &x_alone, &y_alone,  &copied_x,  &copied_y,
+    &swapped_axes,    &contrary, &always_left, &is_side, &no_child, &on_border, &near_border,
 };
 
 // A half-open cell.

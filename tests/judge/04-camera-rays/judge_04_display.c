@@ -186,5 +186,9 @@ static char *describe(const void *job, int i, const void *answers)
 
 const Function display_sides_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
                                    KNOWING(is_right_side, describe, known), .counted = "points"};
-const Function display_04 = {"pixels", N_ALL_PIXELS, sizeof(PixelAnswer),
-                             KNOWING(is_right, describe, known), .counted = "points"};
+const Function display_04 = {"pixels",
+                             N_ALL_PIXELS,
+                             sizeof(PixelAnswer),
+                             KNOWING(is_right, describe, known),
+                             .counted = "points",
+                             .is_known_by_range = 1};

@@ -358,18 +358,33 @@ static char *describe_sphere(const void *job, int i, const void *answers)
                        in.disc < 0 && !in.is_touch ? (double)INFINITY : HIT);
 }
 
-const Function nearest_root_05 = {"roots", 3 * N_ROOTS, sizeof(float),
+const Function nearest_root_05 = {"roots",
+                                  3 * N_ROOTS,
+                                  sizeof(float),
                                   KNOWING(is_right_root, describe_root, known_of_root),
-                                  .inputs = offsetof(Job05, of_root)};
-const Function textbook_05 = {"textbook", 2 * N_SPHERES, sizeof(float),
+                                  .inputs = offsetof(Job05, of_root),
+                                  .is_known_by_range = 1};
+const Function textbook_05 = {"textbook",
+                              2 * N_SPHERES,
+                              sizeof(float),
                               KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
-                              .inputs = offsetof(Job05, of_textbook)};
-const Function projection_05 = {"projection", 3 * N_SPHERES, sizeof(float),
+                              .inputs = offsetof(Job05, of_textbook),
+                              .is_known_by_range = 1};
+const Function projection_05 = {"projection",
+                                3 * N_SPHERES,
+                                sizeof(float),
                                 KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
-                                .inputs = offsetof(Job05, of_sphere)};
-const Function textbook_alone_05 = {"textbook", 2 * N_SPHERES, sizeof(float),
+                                .inputs = offsetof(Job05, of_sphere),
+                                .is_known_by_range = 1};
+const Function textbook_alone_05 = {"textbook",
+                                    2 * N_SPHERES,
+                                    sizeof(float),
                                     KNOWING(is_right_sphere, describe_sphere, known_alone),
-                                    .inputs = offsetof(Job05, of_textbook)};
-const Function projection_alone_05 = {"projection", 3 * N_SPHERES, sizeof(float),
+                                    .inputs = offsetof(Job05, of_textbook),
+                                    .is_known_by_range = 1};
+const Function projection_alone_05 = {"projection",
+                                      3 * N_SPHERES,
+                                      sizeof(float),
                                       KNOWING(is_right_sphere, describe_sphere, known_alone),
-                                      .inputs = offsetof(Job05, of_sphere)};
+                                      .inputs = offsetof(Job05, of_sphere),
+                                      .is_known_by_range = 1};

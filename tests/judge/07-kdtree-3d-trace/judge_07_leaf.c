@@ -309,7 +309,15 @@ static char *describe(const void *job, int i, const void *answers)
                        hit_words(hit.sphere, hit.t).text);
 }
 
-const Function leaf_nearest_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer),
-                                  KNOWING(is_right_t, describe, known), .knows_constant = 1};
-const Function leaf_ids_07 = {"leaves", N_LEAVES, sizeof(SearchAnswer),
-                              KNOWING(is_right_sphere, describe, known), .knows_constant = 1};
+const Function leaf_nearest_07 = {"leaves",
+                                  N_LEAVES,
+                                  sizeof(SearchAnswer),
+                                  KNOWING(is_right_t, describe, known),
+                                  .knows_constant = 1,
+                                  .is_known_by_range = 1};
+const Function leaf_ids_07 = {"leaves",
+                              N_LEAVES,
+                              sizeof(SearchAnswer),
+                              KNOWING(is_right_sphere, describe, known),
+                              .knows_constant = 1,
+                              .is_known_by_range = 1};

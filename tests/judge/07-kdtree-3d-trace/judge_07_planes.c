@@ -258,4 +258,4 @@ static char *describe(const void *job, int i, const void *answers)
 }
 
 const Function plane_07 = {"planes", 3 * N_PLANE_INPUTS, sizeof(PlaneAnswer),
-                           KNOWING(is_right, describe, known)};
+                           KNOWING(is_right, describe, known), .is_known_by_range = 1};

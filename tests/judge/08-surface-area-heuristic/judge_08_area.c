@@ -85,5 +85,9 @@ static char *describe(const void *job, int i, const void *answers)
     return message_new("box %s: found %.9g, expected %.9g", words_box3d(in).text, found, AREA);
 }
 
-const Function area_08 = {"areas", N_AREAS, sizeof(double), KNOWING(is_area, describe, known),
-                          .counted = "boxes"};
+const Function area_08 = {"areas",
+                          N_AREAS,
+                          sizeof(double),
+                          KNOWING(is_area, describe, known),
+                          .counted = "boxes",
+                          .is_known_by_range = 1};

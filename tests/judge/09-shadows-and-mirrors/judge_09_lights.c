@@ -355,4 +355,5 @@ static char *describe(const void *pointer, int i, const void *answers)
                        words_vec3(found->color, 5).text, words_xyz(e.x, e.y, e.z, 5).text);
 }
 
-const Function lit_09 = {"lits", N_LITS, sizeof(LitAnswer), KNOWING(is_right, describe, known)};
+const Function lit_09 = {"lits", N_LITS, sizeof(LitAnswer), KNOWING(is_right, describe, known),
+                         .is_known_by_range = 1};

@@ -322,5 +322,6 @@ static char *describe(const void *job, int i, const void *answers)
                        words_rgba(in->colors[at]).text, words_rgba(in->color).text);
 }
 
-const Function circle_row_10 = {"circle_rows", N_ROWS_10, sizeof(CircleRowAnswer),
-                                KNOWING(is_right, describe, known), .counted = "rows"};
+const Function circle_row_10 = {"circle_rows",           N_ROWS_10,
+                                sizeof(CircleRowAnswer), KNOWING(is_right, describe, known),
+                                .counted = "rows",       .is_known_by_range = 1};

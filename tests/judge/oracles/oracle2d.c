@@ -141,6 +141,8 @@ static const Circle *find_circle(const Circle *circles, u32 n_circles, const u32
         if (i >= (u32)rules->skip_first && !is_hidden(&circles[i], rules, &limit) &&
             covers(circles[i], x, y, rules) && takes_pixel(&circles[i], found, rules)) {
             found = &circles[i];
+        } else if (rules->ends_at_miss) {
+            break;
         }
     }
     return rules->first_is_nobody && found == circles ? NULL : found;
@@ -166,7 +168,7 @@ void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rule
     }
     // Every pixel asks every circle in the right picture, where all circles count, and where memory
     // lacks; else those that reach its row.
-    const int asks_all = ambiguous != NULL || limits_all(rules);
+    const int asks_all = ambiguous != NULL || limits_all(rules) || rules->ends_at_miss;
     u32 *ids = asks_all ? NULL : malloc(n * sizeof *ids + 1);
     for (int v = 0; v < image->height; v++) {
         const double y = v + rules->sample_offset;
@@ -213,6 +215,7 @@ static u32 id_of_entry(const KdTree2D *tree, const u32 *list, u32 i, OracleId id
     return id == ID_PLACE_FROM_0   ? i - 1
            : id == ID_PLACE_FROM_1 ? i
            : id == ID_PLACE_IN_MAP ? (u32)(list - tree->mapNode2Circles) + i
+           : id == ID_BEFORE       ? list[i - 1]
                                    : list[i];
 }
 
@@ -236,6 +239,8 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
                 if (!is_hidden(circle, rules, &limit) && covers(*circle, u, v, rules) &&
                     takes_pixel(circle, found, rules)) {
                     found = circle;
+                } else if (rules->ends_at_miss) {
+                    break;
                 }
             }
             color_set(image, u, v, found);

@@ -16,6 +16,7 @@ typedef enum OracleId {
     ID_PLACE_FROM_0,  // its place in the list, without the count
     ID_PLACE_FROM_1,  // its place with the count, which is at place 0
     ID_PLACE_IN_MAP,  // its place in mapNode2Circles
+    ID_BEFORE,        // what stands before it: of the first one, the count
 } OracleId;
 
 // Channels of a colour, as bits.
@@ -38,6 +39,7 @@ typedef struct OracleRules {
     u32 zero_is_none;      // so has what is 0 in these channels
     int clear_is_hidden;   // circles with alpha 0 are never taken
     int ends_at_0;         // none is asked behind one that is taken at depth 0 or less
+    int ends_at_miss;      // nor behind one that does not take the pixel
     int first_is_nobody;   // a pixel of circle 0 is left background
     int all_limit;         // circles that cover nothing lower minDepth, too
     int last_limits;       // minDepth is the depth of the one before, whether that covers or not

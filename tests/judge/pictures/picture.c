@@ -157,12 +157,14 @@ int picture_is_right(ProbeImage own, const ExpectedPicture *expected)
 
 Diagnosis picture_judge_padding(ProbeImage own, const ExpectedPicture *expected)
 {
+    static const Cause swapped = {.says = "x and y are swapped, or width and height"};
+    static const Cause not_own = {.says = "the guard is missing or wrong, or x and y are not the "
+                                          "column and row of this work-item"};
+    static const Cause no_guard = {.says = "a guard for the work-items that fill up the last "
+                                           "work-groups is missing or wrong, or a "
+                                           "barrier comes behind it, which these never reach"};
     const int width = expected->reference.width, height = expected->reference.height;
-    const Cause cause = {.says = picture_is_swapped(own, expected)
-                                     ? "x and y are swapped, or width and height"
-                                     : "a guard for the work-items that fill up the last "
-                                       "work-groups is missing or wrong, or a "
-                                       "barrier comes behind it, which these never reach"};
+    const int is_swapped = picture_is_swapped(own, expected);
     for (int y = 0; y < own.image_height; y++) {
         for (int x = 0; x < own.image_width; x++) {
             const float *pixel = probe_image_pixel(own, x, y);
@@ -171,13 +173,13 @@ Diagnosis picture_judge_padding(ProbeImage own, const ExpectedPicture *expected)
                                                 "found that it drew pixel (%g, %g) once more, "
                                                 "expected nothing",
                                                 x, y, width, height, pixel[0], pixel[1]),
-                                    cause);
+                                    is_swapped ? swapped : not_own);
             }
             if ((x >= width || y >= height) && !is_unwritten(pixel)) {
                 return diagnosis_of(message_new("the kernel wrote outside the picture: pixel (%d, "
                                                 "%d) of a %dx%d picture",
                                                 x, y, width, height),
-                                    cause);
+                                    is_swapped ? swapped : no_guard);
             }
         }
     }

@@ -33,48 +33,80 @@ static int is_same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
-// Does a known mistake explain all that the function has answered?
-static int is_known(const Function *function, const Known *known, const void *job,
+// Does a known mistake explain every answer of the range?
+static int is_known(const Function *function, const Known *known, const void *job, Range range,
                     const void *answers)
 {
     int i = 0;
-    while (i < function->n && (known->fits(job, i, answers) ||
-                               (known->is_only && function->is_right(job, i, answers)))) {
+    while (i < range.n &&
+           (known->fits(job, range_at(range, i), answers) ||
+            (known->is_only && function->is_right(job, range_at(range, i), answers)))) {
         i++;
     }
-    return i == function->n;
+    return i == range.n;
 }
 
 // Are all answers the same, as where nothing was filled in?
-static int is_constant(const Function *function, const char *answers)
+static int is_constant(const Function *function, Range range, const char *answers)
 {
     const size_t n_bytes = function->answer_bytes;
+    const char *first = answers + (size_t)range.first * n_bytes;
     int i = 1;
-    while (i < function->n && memcmp(answers, answers + (size_t)i * n_bytes, n_bytes) == 0) {
+    while (i < range.n &&
+           memcmp(first, answers + (size_t)range_at(range, i) * n_bytes, n_bytes) == 0) {
         i++;
     }
-    return i == function->n;
+    return i == range.n;
 }
 
-// The known mistake: one that says what an answer is (ANSWERS, EACH); if two with different
-// sentences explain the answers, none. If there is no such one, the first that says where answers
-// are wrong (ONLY). From answers that are all the same nothing is concluded, but where the list
-// knows such a mistake.
-static Cause explain(const Function *function, const void *job, const void *answers)
+// Does a mistake that says what an answer is (ANSWERS, EACH) explain every answer of a range?
+// *cause becomes the one that does. Returns how many do, with different sentences: 0, 1 or 2.
+static int count_answers(const Function *function, const void *job, Range range,
+                         const void *answers, Cause *cause)
 {
-    Cause cause = {0};
-    int n = !function->knows_constant && is_constant(function, answers) ? 2 : 0;
-    for (int is_only = 0; n == 0 && is_only < 2; is_only++) {
-        for (int k = 0; n < (is_only ? 1 : 2) && k < function->n_known; k++) {
-            const Known *known = function->known[k];
-            if (known->is_only == is_only && is_known(function, known, job, answers) &&
-                (n == 0 || !is_same_text(cause.says, known->cause.says))) {
-                cause = known->cause;
-                n++;
-            }
+    int n = 0;
+    for (int k = 0; n < 2 && k < function->n_known; k++) {
+        const Known *known = function->known[k];
+        if (!known->is_only && is_known(function, known, job, range, answers) &&
+            (n == 0 || !is_same_text(cause->says, known->cause.says))) {
+            *cause = known->cause;
+            n++;
         }
     }
-    return n == 1 ? cause : (Cause){0};
+    return n;
+}
+
+// The known mistake that explains every answer: one that says what an answer is; else the first
+// that says where answers are wrong (ONLY). Where a range is enough, and several explain it, the
+// one that explains the answers of all ranges.
+static Cause name_known(const Function *function, const void *job, Range range, const void *answers)
+{
+    const Range all = {.n = function->n};
+    if (!function->is_known_by_range) {
+        range = all;
+    }
+    Cause cause = {0};
+    const int n = count_answers(function, job, range, answers, &cause);
+    if (n > 0) {
+        return n == 1 || count_answers(function, job, all, answers, &cause) == 1 ? cause
+                                                                                 : (Cause){0};
+    }
+    for (int k = 0; k < function->n_known; k++) {
+        const Known *known = function->known[k];
+        if (known->is_only && is_known(function, known, job, range, answers)) {
+            return known->cause;
+        }
+    }
+    return cause;
+}
+
+// The cause. From answers that are all the same nothing is concluded, but where the list knows such
+// a mistake.
+static Cause explain(const Function *function, const void *job, Range range, const void *answers)
+{
+    return function->knows_constant || !is_constant(function, range, answers)
+               ? name_known(function, job, range, answers)
+               : (Cause){0};
 }
 
 // What is wrong with the answers: how many, the first one, and what explains them.
@@ -95,7 +127,7 @@ static Diagnosis judge_counting(const Function *function, const void *job, Range
     const char *counted = function->counted != NULL ? function->counted : "inputs";
     char *found = message_new("%s (%d of %d %s are wrong)", wrong, n_wrong, range.n, counted);
     free(wrong);
-    return diagnosis_of(found, explain(function, job, answers));
+    return diagnosis_of(found, explain(function, job, range, answers));
 }
 
 Verdict function_judge(const Function *function, const void *job, Range range,
@@ -115,7 +147,7 @@ Cause function_cause(const Function *function, const void *job, Range range,
     Verdict verdict = function_judge(function, job, range, answers);
     const int has_failed = verdict.kind == VERDICT_FAILED;
     diagnosis_free(&verdict.diagnosis);
-    return has_failed ? explain(function, (const char *)job + function->inputs,
+    return has_failed ? explain(function, (const char *)job + function->inputs, range,
                                 function_answers(function, answers))
                       : (Cause){0};
 }

@@ -41,6 +41,8 @@ typedef struct Function {
     // other checks, too: else it is not what the function does.
     const Known *const *known;
     int n_known;
+    int is_known_by_range;  // a check's range is enough: what a mistake makes of the other ranges
+                            // is lost in rounding, or undefined
     // Of answers that are all the same nothing is concluded, but where some mistake of the list
     // makes them so.
     int knows_constant;

@@ -192,6 +192,8 @@ static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Ima
 #define NONE_YET                                                                                   \
     "drawn as if a colour of zeros said that there is no circle yet: a circle may be black, or "   \
     "transparent"
+#define ENDS_AT_MISS                                                                               \
+    "drawn as if the loop ended at the first circle that does not take the pixel: later ones may"
 #define UNCOVERING "drawn as if minDepth changed at circles that do not cover the pixel, too"
 #define FIRST_LIST                                                                                 \
     "drawn as if every pixel read the list at the start of mapNode2Circles: a leaf's ids begin "   \
@@ -254,6 +256,7 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
         {{.says = "drawn as if transparent circles were none: the nearest circle takes the pixel, "
                   "alpha included"},
          {.clear_is_hidden = 1}},
+        {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
         {{.says = UNCOVERING}, {.all_limit = 1}},
         {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
         {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
@@ -268,11 +271,15 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
          {.skip_first = 1}},
         {{"drawn as if the last circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
          {.skip_last = 1}},
+        {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
         {{.says = UNCOVERING}, {.all_limit = 1}},
         {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
         {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_0}},
         {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_1}},
         {{.says = PLACE_AS_ID}, {.id = ID_PLACE_IN_MAP}},
+        {{"drawn as if a leaf's count were used as a circle's id: the ids come behind it",
+          MISTAKE_MISSING_IN_CELL},
+         {.id = ID_BEFORE}},
         {{.says = COUNT_AS_END}, {.count_is_end = 1}},
         {{.says = COUNT_AS_END}, {.count_is_end = 2}},
         {{.says = FIRST_LIST}, {.first_ids = 1}},

@@ -1,7 +1,7 @@
 // mutant: minDepth starts with 0: nothing is nearer
 // task: implicit2DRenderer
 // caught by: renderer-random
-// says: empty
+// says: empty|starts too small
     float minDepth = 0.0f;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];

@@ -1,6 +1,6 @@
 // mutant: minDepth is lowered by circles that do not cover the pixel, too
 // task: implicit2DRenderer
-// caught by: renderer-random
+// caught by: renderer-edges
 // says: do not cover
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {

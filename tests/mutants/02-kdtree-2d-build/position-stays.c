@@ -1,0 +1,11 @@
+// mutant: the position does not move on
+// task: distribute
+// caught by: distribute-list
+// says: written over the one before
+    u32 n = 0;
+    for (u32 i = 0; i < n_ids; i++) {
+        if (circle_overlaps_box(h_circles[ids[i]], child)) {
+            child_ids[n] = ids[i];
+        }
+    }
+    return n;
