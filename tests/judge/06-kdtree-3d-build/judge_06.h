@@ -1,6 +1,6 @@
 // What lab 06's judge asks of a submission: inputs of its functions and scenes for its trees.
-// Rolled in judge_06_job.c; functions are judged in judge_06_functions.c and judge_06_packs.c,
-// trees in tree3d_judge.c; one answer alone in judge_06_alone.c.
+// Rolled in judge_06_job.c; functions are judged in judge_06_functions.c, judge_06_overlap.c and
+// judge_06_packs.c, trees in tree3d_judge.c; one answer alone in judge_06_alone.c.
 #ifndef JUDGE_JUDGE_06_H
 #define JUDGE_JUDGE_06_H
 

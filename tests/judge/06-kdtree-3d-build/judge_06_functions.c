@@ -1,9 +1,8 @@
-// Lab 06: choose_split, sphere_overlaps_box and fits_todo on the job's inputs. See judge_06.h;
-// judge_06_packs.c is the sibling.
+// Lab 06: choose_split and fits_todo on the job's inputs. See judge_06.h; judge_06_overlap.c and
+// judge_06_packs.c are the siblings.
 #include "judge_06.h"
 
 #include "message.h"
-#include "overlap_reach.h"
 #include "words.h"
 
 #include <float.h>
@@ -35,6 +34,8 @@ RIGHT(is_longest, facts_are_none(describe_axis(job, i, answers)))
 #define LONGEST fmax(LENGTH(0), fmax(LENGTH(1), LENGTH(2)))
 #define SHORTEST fmin(LENGTH(0), fmin(LENGTH(1), LENGTH(2)))
 #define AXIS_OF_LARGEST(x, y, z) ((z) > fmax(x, y) ? 2u : (y) > (x) ? 1u : 0u)
+#define FARTHEST(axis) fmax(fabs((double)in.min[axis]), fabs((double)in.max[axis]))
+#define SUM(axis) ((double)in.min[axis] + in.max[axis])
 #define NOT_THE_LONGEST                                                                            \
     "each side was compared with one other only: the longest so far has to be remembered"
 
@@ -44,6 +45,29 @@ ANSWERS(whole_lengths, AXIS_OF_LARGEST(trunc(LENGTH(0)), trunc(LENGTH(1)), trunc
         "the sides were compared as whole numbers")
 ANSWERS(largest, AXIS_OF_LARGEST(in.max[0], in.max[1], in.max[2]),
         "that is the axis of the largest coordinate, not of the longest side")
+ANSWERS(beside_next, LENGTH(0) > LENGTH(1) ? 0u : LENGTH(1) > LENGTH(2) ? 1u : 2u, NOT_THE_LONGEST)
+ANSWERS(beside_next_equal,
+        LENGTH(0) >= LENGTH(1)   ? 0u
+        : LENGTH(1) >= LENGTH(2) ? 1u
+                                 : 2u,
+        NOT_THE_LONGEST)
+ANSWERS(last_where_equal,
+        LENGTH(0) > fmax(LENGTH(1), LENGTH(2))   ? 0u
+        : LENGTH(1) > fmax(LENGTH(0), LENGTH(2)) ? 1u
+                                                 : 2u,
+        "where sides are equal no comparison is true, and z is left: of equal sides the first "
+        "counts")
+ANSWERS(last_of_any_length,
+        LENGTH(2) > 0   ? 2u
+        : LENGTH(1) > 0 ? 1u
+                        : 0u,
+        "the longest so far was not kept: each side was compared with what it was at first")
+ANSWERS(largest_end, AXIS_OF_LARGEST(FARTHEST(0), FARTHEST(1), FARTHEST(2)),
+        "that is the axis of the largest coordinate, not of the longest side")
+ANSWERS(largest_sum, AXIS_OF_LARGEST(SUM(0), SUM(1), SUM(2)),
+        "minimum and maximum were added: a side is the maximum minus the minimum")
+ANSWERS(always_y, 1u, "y was split every time: the longest side is to be split")
+ANSWERS(always_z, 2u, "z was split every time: the longest side is to be split")
 ANSWERS(always_x, 0u, "x was split every time: the longest side is to be split")
 ANSWERS(never_z, LENGTH(1) > LENGTH(0) ? 1u : 0u, "z was never split, and a cell has three sides")
 ONLY(no_axis, found.axis >= 3, "there are axes 0, 1 and 2")
@@ -53,9 +77,11 @@ ONLY(nearly_equal, found.axis < 3 && LONGEST - OWN_LENGTH < LONGEST / 1024,
 ONLY(shortest, found.axis < 3 && OWN_LENGTH == SHORTEST, "that side is the shortest")
 
 static const Known *const known_of_axis[] = {
-    &beside_x, &beside_last, &whole_lengths, &largest,      &always_x,
-    &never_z,  &no_axis,     &equal,         &nearly_equal, &shortest,
-};
+    &beside_x,           &beside_last,     &whole_lengths, &largest,
+    &always_x,           &never_z,         &no_axis,       &equal,
+    &nearly_equal,       &shortest,        &beside_next,   &beside_next_equal,
+    &last_of_any_length, &largest_end,     &largest_sum,   &always_y,
+    &always_z,           &last_where_equal};
 
 const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
                                 KNOWING(is_longest, describe_axis, known_of_axis)};
@@ -66,6 +92,10 @@ const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
 #define OWN_AXIS (found.axis < 3 ? found.axis : 0)
 #define LOW_END ((double)in.min[OWN_AXIS])
 #define HIGH_END ((double)in.max[OWN_AXIS])
+#define MIDDLE_OF(axis) (((double)in.min[axis] + in.max[axis]) / 2)
+#define AN_END "that is an end of the side, not its middle"
+#define MIN_HALVED "only the minimum was halved: the sum of both ends is to be"
+#define WRONG_END "half of the side goes from the minimum up, or from the maximum down"
 #define IS_FOUND(at) (fabs(found.pos - (at)) <= FLT_EPSILON * 4096)
 
 static char *describe_middle(const void *job, int i, const void *answers)
@@ -79,106 +109,52 @@ RIGHT(is_middle, facts_are_none(describe_middle(job, i, answers)))
 ANSWERS(zero_for_a_point, HIGH_END > LOW_END ? (LOW_END + HIGH_END) / 2 : 0,
         "other cells are right, but one of no length has its middle where it lies, too")
 ANSWERS(whole_middle, floor((LOW_END + HIGH_END) / 2), "the middle was rounded to a whole number")
+ANSWERS(half_of_max, HIGH_END / 2, "that is half of the maximum: the minimum counts, too")
+ANSWERS(half_of_min, LOW_END / 2, "that is half of the minimum: the maximum counts, too")
+ANSWERS(low_end, LOW_END, AN_END)
+ANSWERS(high_end, HIGH_END, AN_END)
+ANSWERS(length, HIGH_END - LOW_END, "that is the side's length, not a place on it")
+ANSWERS(min_taken_off, (HIGH_END - LOW_END) / 2 - LOW_END,
+        "the minimum is added to half of the side, not taken off")
+ANSWERS(from_max, HIGH_END + (HIGH_END - LOW_END) / 2, WRONG_END)
+ANSWERS(from_min, LOW_END - (HIGH_END - LOW_END) / 2, WRONG_END)
+ANSWERS(max_halved, LOW_END + HIGH_END / 2,
+        "only the maximum was halved: the sum of both ends is to be")
+ANSWERS(min_halved, HIGH_END - LOW_END / 2, MIN_HALVED)
+ANSWERS(min_halved_added, HIGH_END + LOW_END / 2, MIN_HALVED)
+ONLY(other_axis, IS_FOUND(MIDDLE_OF((OWN_AXIS + 1) % 3)) || IS_FOUND(MIDDLE_OF((OWN_AXIS + 2) % 3)),
+     "that is the middle of another axis than split.axis")
+
+// A third, a quarter, ...: the same of each side.
+static double share_of(BBox3D in, SplitAnswer3D found)
+{
+    return HIGH_END > LOW_END ? (found.pos - LOW_END) / (HIGH_END - LOW_END) : 0;
+}
+
+static double at_share(const void *job, BBox3D in, SplitAnswer3D found, const void *answers)
+{
+    const double share =
+        share_of(((const Job06 *)job)->splits[0], ((const SplitAnswer3D *)answers)[0]);
+    return LOW_END + share * (HIGH_END - LOW_END);
+}
+
+ONLY(other_share, fabs(found.pos - at_share(job, in, found, answers)) <= FLT_EPSILON * 4096,
+     "each side is cut at the same share of it, which is not one half")
+ANSWERS(middle_of_y, MIDDLE_OF(1), "the position is the middle of y, whatever the axis")
+ANSWERS(middle_of_z, MIDDLE_OF(2), "the position is the middle of z, whatever the axis")
 ANSWERS(middle_of_x, ((double)in.min[0] + in.max[0]) / 2,
         "the position is the middle of x, whatever the axis")
 ANSWERS(sum_of_ends, LOW_END + HIGH_END, "the sum of both ends is to be halved")
 ANSWERS(half_length, (HIGH_END - LOW_END) / 2, "that is half the length, as if the cell began at 0")
 
-static const Known *const known_of_middle[] = {&zero_for_a_point, &whole_middle, &middle_of_x,
-                                               &sum_of_ends, &half_length};
+static const Known *const known_of_middle[] = {
+    &zero_for_a_point, &whole_middle, &middle_of_x, &sum_of_ends, &half_length,
+    &half_of_max,      &half_of_min,  &low_end,     &high_end,    &length,
+    &min_taken_off,    &from_max,     &from_min,    &max_halved,  &min_halved,
+    &min_halved_added, &other_axis,   &other_share, &middle_of_y, &middle_of_z};
 
 const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
                                   KNOWING(is_middle, describe_middle, known_of_middle)};
-#undef GIVEN
-#undef IS_FOUND
-
-// ---- sphere_overlaps_box ------------------------------------------------------------------------
-
-static Reach reach_of(SphereBoxJob in)
-{
-    return (Reach){{outside_of(in.sphere.x, in.box.min[0], in.box.max[0]),
-                    outside_of(in.sphere.y, in.box.min[1], in.box.max[1]),
-                    outside_of(in.sphere.z, in.box.min[2], in.box.max[2])},
-                   in.sphere.radius};
-}
-
-#define GIVEN                                                                                      \
-    const SphereBoxJob in = ((const Job06 *)job)->overlaps[i];                                     \
-    const Reach reach = reach_of(in);                                                              \
-    const int found = ((const i32 *)answers)[i];                                                   \
-    (void)reach
-#define IS_FOUND(expected) ((found != 0) == (expected))
-
-#include "overlap_known.h"
-
-static int is_right_overlap(const void *job, int i, const void *answers)
-{
-    GIVEN;
-    const SphereInCell is = tree3d_judge_sphere(in.sphere, in.box);
-    return is == SPHERE_EITHER || IS_FOUND(is == SPHERE_INSIDE);
-}
-
-// How far the cell's nearer, or farther, end lies from the centre on an axis.
-static double to_end(SphereBoxJob in, int axis, int is_farther)
-{
-    const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
-    const double to_min = fabs(centre[axis] - in.box.min[axis]);
-    const double to_max = fabs(centre[axis] - in.box.max[axis]);
-    return (to_min > to_max) == is_farther ? to_min : to_max;
-}
-
-// Does the sphere hold the cell's nearest corner, or its farthest, and so all of it?
-static int holds_corner(SphereBoxJob in, int is_farthest)
-{
-    const double x = to_end(in, 0, is_farthest), y = to_end(in, 1, is_farthest),
-                 z = to_end(in, 2, is_farthest);
-    return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
-}
-
-ANSWERS(by_signed_root, sqrt(D2) <= RADIUS,
-        "a negative radius counts as its absolute value; and the root is rounded: compare squares")
-
-static double to_middle(double value, float min, float max)
-{
-    return value - ((double)min + max) / 2;
-}
-
-static int holds_middle(SphereBoxJob in)
-{
-    const double x = to_middle(in.sphere.x, in.box.min[0], in.box.max[0]),
-                 y = to_middle(in.sphere.y, in.box.min[1], in.box.max[1]),
-                 z = to_middle(in.sphere.z, in.box.min[2], in.box.max[2]);
-    return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
-}
-
-ANSWERS(by_middle, holds_middle(in),
-        "your answers are those of the cell's middle, and another point may be nearer")
-EACH(cube, IS_OF_BOX, "the sphere's bounding cube overlaps, the sphere does not")
-ONLY(cell_within, !found && holds_corner(in, 1),
-     "a cell that lies within the sphere overlaps it, too: both have their insides")
-ONLY(centre_within, !found && reach_furthest(reach) == 0,
-     "a sphere whose centre is in the cell overlaps it")
-ONLY(no_corner, !found && !holds_corner(in, 0),
-     "what is missed holds no corner of the cell: a sphere may come in through a side or over an "
-     "edge")
-ONLY(reaches_in, !found && reach_furthest(reach) > 0,
-     "its centre is outside but the sphere reaches in")
-
-static const Known *const known_of_overlap[] = {&by_signed_root, &by_middle,   &cube,
-                                                OVERLAP_KNOWN,   &cell_within, &centre_within,
-                                                &no_corner,      &reaches_in};
-
-static char *describe_overlap(const void *job, int i, const void *answers)
-{
-    GIVEN;
-    return message_new("sphere at %s, box %s: found %d, expected %d", words_sphere(in.sphere).text,
-                       words_box3d(in.box).text, found,
-                       tree3d_judge_sphere(in.sphere, in.box) == SPHERE_INSIDE);
-}
-
-const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32),
-                             KNOWING(is_right_overlap, describe_overlap, known_of_overlap),
-                             .knows_constant = 1};
 #undef GIVEN
 #undef IS_FOUND
 
@@ -221,9 +197,11 @@ ANSWERS(one_too_many, in <= TODO_SIZE + 1,
 ANSWERS(half, in <= TODO_SIZE / 2, "only one node waits for each split, not two")
 ANSWERS(nodes_of_level, in <= 5,
         "a level's nodes were counted: of all of them only one waits for each split on the way")
-ANSWERS(inverted, in > TODO_SIZE, "1 and 0 are swapped: 1 allows the split")
-ANSWERS(always, 1, "every split is allowed: the stack has TODO_SIZE places")
-ANSWERS(never, 0, "no split is allowed: the stack has TODO_SIZE places")
+ANSWERS(levels_inverted, in > TODO_SIZE, "1 and 0 are swapped: 1 allows the split")
+ANSWERS(all_levels, 1, "every split is allowed: the stack has TODO_SIZE places")
+ANSWERS(not_equal, in != TODO_SIZE,
+        "a negative number is not 0, and so counts as yes: return a comparison")
+ANSWERS(no_level, 0, "no split is allowed: the stack has TODO_SIZE places")
 ANSWERS(only_last, in == TODO_SIZE,
         "each level up to the last that fits is allowed, not that alone")
 #define LEVEL_CUT                                                                                  \
@@ -240,9 +218,9 @@ ONLY(far_beyond, in > TODO_SIZE,
      "only levels beyond TODO_SIZE are wrong: all of them are too deep, however large the number")
 
 static const Known *const known_of_levels[] = {
-    &one_short, &one_too_many, &half,           &inverted, &always,
-    &never,     &only_last,    &nodes_of_level, &cut_u8,   &cut_i8,
-    &cut_u16,   &cut_i16,      &other_limit,    &too_few,  &far_beyond};
+    &one_short,   &one_too_many,   &half,       &levels_inverted, &all_levels, &no_level,
+    &only_last,   &nodes_of_level, &cut_u8,     &cut_i8,          &cut_u16,    &cut_i16,
+    &other_limit, &too_few,        &far_beyond, &not_equal};
 
 static char *describe_level(const void *job, int i, const void *answers)
 {

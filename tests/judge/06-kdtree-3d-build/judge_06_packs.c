@@ -56,10 +56,47 @@ EACH(counted_up, found.n_spheres == UNTOUCHED + in->n_ids,
      "it was counted up from what the node held before")
 EACH(count_of_8_bits, found.n_spheres == (in->n_ids & 0xff), "that is what 8 bits hold of it")
 
+EACH(by_id, found.first == in->id,
+     "that is the leaf's own id: its range begins where the array of ids ends")
+EACH(one_behind, found.first == in->n_before + 1,
+     "that is one place too far: n_sphere_ids, before it moves, is the first free place")
+EACH(swapped, found.first == in->n_ids && found.n_spheres == in->n_before,
+     "first and n_spheres are swapped")
+EACH(first_is_id, in->n_ids == 0 || found.first == in->ids[0],
+     "that is the leaf's first id: its place in sphere_ids is asked for")
+EACH(first_is_last, in->n_ids == 0 || found.first == in->n_before + in->n_ids - 1,
+     "that is where the leaf's last id is: its range begins where the first one is")
+
+static int is_untouched(KdNode3 node)
+{
+    return node.split_axis == PACK_SPLIT_AXIS && node.first == UNTOUCHED &&
+           node.n_spheres == UNTOUCHED;
+}
+
+static int n_touched(const PackAnswer3D *out)
+{
+    int n = 0;
+    for (u32 id = 0; id < PACK_NODES; id++) {
+        n += !is_untouched(out->nodes[id]);
+    }
+    return n;
+}
+
+EACH(copy, n_touched(out) == 0, "no node of the tree changed: was a copy of it filled in?")
+ONLY(other_node, is_untouched(found) && n_touched(out) > 0,
+     "another node than nodes[id] was filled in")
+EACH(unmarked, found.split_axis == PACK_SPLIT_AXIS && !is_untouched(found),
+     "split_axis is not set: KD_LEAF marks a leaf")
+ONLY(empty_left_out, in->n_ids == 0,
+     "only empty leaves are wrong: they are packed as all others, with a range of 0 ids")
+ONLY(first_at_0, found.split_axis == KD_LEAF && found.first == 0,
+     "each range begins at 0: it begins where the array of ids ends, at n_sphere_ids")
+
 static const Known *const known_of_node[] = {
-    &end_kept,     &first_behind, &first_in_bytes,  &empty_from_0,
-    &count_is_end, &counted_up,   &count_of_8_bits,
-};
+    &end_kept,    &first_behind,    &first_in_bytes, &empty_from_0,  &count_is_end,
+    &counted_up,  &count_of_8_bits, &by_id,          &one_behind,    &swapped,
+    &first_is_id, &empty_left_out,  &first_at_0,     &first_is_last, &copy,
+    &other_node,  &unmarked};
 
 const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
                                KNOWING(is_right_node, describe_node, known_of_node),
@@ -141,7 +178,79 @@ ONLY(in_front,
          out->sphere_ids[in->n_ids - 1] == in->ids[in->n_ids - 1],
      "the ids go behind those of the leaves before, not to the array's beginning")
 
-static const Known *const known_of_ids[] = {&count_first, PACKED_KNOWN, &in_front};
+// Are the leaf's ids in the array from `first` on, and before and behind them nothing is written?
+static int stand_at(const PackJob *in, const PackAnswer3D *out, u32 first, u32 n_behind)
+{
+    int fits = 1;
+    for (u32 at = 0; fits && at < PACK_MAP_ROOM; at++) {
+        const u32 found = out->sphere_ids[at], end = first + in->n_ids;
+        fits = at >= first && at < end ? found == in->ids[at - first]
+                                       : (at >= end && at < end + n_behind) == (found != UNTOUCHED);
+    }
+    return fits;
+}
+
+#define IN_PLACE stand_at(in, out, in->n_before, 0)
+
+// Of all places only the first of the range is written.
+static int is_one_place(const PackJob *in, const PackAnswer3D *out)
+{
+    u32 at = 0;
+    while (at < PACK_MAP_ROOM && (at == in->n_before) == (out->sphere_ids[at] != UNTOUCHED)) {
+        at++;
+    }
+    return at == PACK_MAP_ROOM;
+}
+
+EACH(one_more, stand_at(in, out, in->n_before, 1),
+     "one id too many is written, behind the leaf's range")
+EACH(one_place_on, stand_at(in, out, in->n_before + 1, 0),
+     "the ids are one place too far: n_sphere_ids, before it moves, is the first free place")
+EACH(at_id, stand_at(in, out, in->id, 0),
+     "the ids begin at the leaf's own id: they go where the array of ids ends")
+EACH(end_stays, IN_PLACE && out->n_sphere_ids == in->n_before,
+     "n_sphere_ids is not moved: the next leaf's ids go where these are")
+EACH(end_one_on, IN_PLACE && out->n_sphere_ids == in->n_before + 1,
+     "n_sphere_ids moves by one for each leaf: it moves by the number of its ids")
+EACH(end_is_count, IN_PLACE && out->n_sphere_ids == in->n_ids,
+     "n_sphere_ids counts this leaf only: it moves behind the ids of all leaves so far")
+EACH(end_twice, IN_PLACE && out->n_sphere_ids == in->n_before + 2 * in->n_ids,
+     "n_sphere_ids moves twice: by the number of the leaf's ids, once")
+// A loop from the range's begin to before n_ids.
+static int is_to_count(const PackJob *in, const PackAnswer3D *out)
+{
+    int fits = 1;
+    for (u32 at = 0; fits && at < PACK_MAP_ROOM; at++) {
+        fits =
+            out->sphere_ids[at] == (at >= in->n_before && at < in->n_ids ? in->ids[at] : UNTOUCHED);
+    }
+    return fits;
+}
+
+static int lists_sphere_0(const PackJob *in)
+{
+    u32 i = 0;
+    while (i < in->n_ids && in->ids[i] != 0) {
+        i++;
+    }
+    return i < in->n_ids;
+}
+
+EACH(to_count, is_to_count(in, out),
+     "n_ids was taken for the end of the range: it is how many ids there are")
+ONLY(sphere_0, lists_sphere_0(in),
+     "only leaves that list sphere 0 are wrong: 0 is an id as any other")
+ONLY(one_place, in->n_ids > 0 && is_one_place(in, out),
+     "all ids are written to one place: each goes behind the one before it")
+ONLY(split_pos_set, IN_PLACE &&found.split_pos != PACK_SPLIT_POS,
+     "split_pos is set, too: of the node's fields the three others change")
+EACH(unwritten, stand_at(in, out, PACK_MAP_ROOM, 0),
+     "no id is written: the leaf's range is in the array, and stays free")
+
+static const Known *const known_of_ids[] = {&count_first,  PACKED_KNOWN, &in_front,  &one_more,
+                                            &one_place_on, &at_id,       &end_stays, &end_one_on,
+                                            &end_is_count, &end_twice,   &one_place, &split_pos_set,
+                                            &unwritten,    &to_count,    &sphere_0};
 
 const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
                               KNOWING(are_right_ids, describe_ids, known_of_ids),

@@ -48,6 +48,24 @@ ANSWERS(flat_is_nothing, (X * Y * Z) == 0 ? 0 : AREA,
         "a flat box has no volume, and still two faces")
 ANSWERS(flat_has_one_side, (X * Y * Z) == 0 ? AREA / 2 : AREA,
         "a flat box has two faces, too: both count")
+EACH(two_once,
+     IS_FOUND(AREA / 2 + X * Y) || IS_FOUND(AREA / 2 + Y * Z) || IS_FOUND(AREA / 2 + Z * X),
+     "only one pair of faces counts twice: each has its like on the other side")
+
+// One of the three products is a side times itself.
+static int has_square(BBox3D in, double found)
+{
+    const double sides[3] = {X, Y, Z};
+    int is_found = 0;
+    for (int i = 0; i < 9; i++) {
+        const double left_out = sides[i / 3] * sides[(i / 3 + 1) % 3], side = sides[i % 3];
+        is_found |= IS_FOUND(AREA - 2 * left_out + 2 * side * side);
+    }
+    return is_found;
+}
+
+EACH(square, has_square(in, found),
+     "a side is multiplied by itself: a face has two sides on different axes")
 ANSWERS(whole_lengths, area_of(trunc(X), trunc(Y), trunc(Z)),
         "the lengths were cut to whole numbers")
 ANSWERS(whole_area, trunc(AREA), "the area was cut to a whole number")
@@ -75,7 +93,8 @@ ONLY(large_lost, LONGEST > 0x1p60 && !isfinite(found),
 static const Known *const known[] = {
     &one_side,   &without_x, &without_y, &without_z,       &one_twice,         &cube,
     &edges,      &lengths,   &volume,    &flat_is_nothing, &flat_has_one_side, &whole_lengths,
-    &whole_area, &from_zero, &other_min, &signs,           &small_lost,        &large_lost};
+    &whole_area, &from_zero, &other_min, &signs,           &small_lost,        &large_lost,
+    &two_once,   &square};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

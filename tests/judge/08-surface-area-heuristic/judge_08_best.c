@@ -28,8 +28,9 @@ typedef struct Way {
     int (*asks)(const SahNode *node, const Plane *planes, int i);  // plane number i of an axis
     int from_border, to_border;  // the cell's borders are asked, too
     int (*takes)(const SahNode *node, const Plane *plane, const Plane *best);
-    int carries;      // the bins of an axis begin with what those of the axis before hold
-    int is_stand_in;  // split_cost is that of tests/stand_ins
+    int carries;       // the bins of an axis begin with what those of the axis before hold
+    int counts_ended;  // in the place of the higher child's spheres those that it has not
+    int is_stand_in;   // split_cost is that of tests/stand_ins
 } Way;
 
 static double stand_in_cost(BBox3D box, CostJob split, u32 n_lower, u32 n_higher, u32 LOT)
@@ -81,6 +82,9 @@ static Planes weighed(const SahNode *node, u32 lot, Way way)
                 of[i].split.n_lower += i >= reach.from;
                 of[i].split.n_higher += i <= reach.to;
             }
+        }
+        for (int i = 1; way.counts_ended && i < SAH_BINS; i++) {
+            of[i].split.n_higher = node->n_ids - of[i].split.n_higher;
         }
         of[0].split.n_higher = of[SAH_BINS].split.n_lower = node->n_ids;
         for (int i = 0; i <= SAH_BINS; i++) {
@@ -294,6 +298,31 @@ EACH(border,
 EACH(carried_over, follows(job, i, found, (Way){.carries = 1}),
      "the bins of an axis begin with what those of the axis before hold, not with 0")
 
+EACH(ended_counted, follows(job, i, found, (Way){.counts_ended = 1}),
+     "who has ended before a plane has left the higher child: it has the others")
+
+// What is kept of the cheapest plane.
+static int is_best_with(const Job08 *job, int i, BestAnswer found, int keeps_axis, int keeps_pos)
+{
+    const SahNode node = node_of(job, i);
+    const Way way = {.is_stand_in = job->job.is_alone};
+    const Planes planes = weighed(&node, job->job.lot, way);
+    const Plane best = best_of(&node, &planes, way);
+    if (best.cost == INFINITY) {
+        return found.cost == INFINITY;
+    }
+    return fabs(found.cost - best.cost) <= SAH_COST_TOLERANCE * best.cost &&
+           found.axis == (keeps_axis ? best.split.axis : 0) &&
+           found.pos == (keeps_pos ? best.split.pos : 0);
+}
+
+EACH(pos_lost, is_best_with(job, i, found, 1, 0),
+     "the cheapest plane's cost and axis are kept, but not its position")
+EACH(axis_lost, is_best_with(job, i, found, 0, 1),
+     "the cheapest plane's cost and position are kept, but not its axis")
+EACH(plane_lost, is_best_with(job, i, found, 0, 0),
+     "the cheapest plane's cost is kept, but not the plane: best.split is to be set, too")
+
 EACH(nan_is_taken, sah_area(in.box) > 0 ? is_best(job, i, answers) : isnan(found.cost),
      "in a cell without area each cost is NaN, and is taken: only a lower cost may be")
 ONLY(many_lost, i == MANY_NODE,
@@ -308,7 +337,8 @@ static const Known *const known[] = {
     &begin_above,    &end_below,    &both_strict,    &signed_radius,   &begin_in_cell,
     &ends_late,      &ends_early,   &begins_late,    &begins_early,    &all_early,
     &all_late,       &higher_keeps, &rest_is_higher, &unnamed,         &carried_over,
-    &nan_is_taken,   &many_lost};
+    &nan_is_taken,   &many_lost,    &ended_counted,  &pos_lost,        &axis_lost,
+    &plane_lost};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

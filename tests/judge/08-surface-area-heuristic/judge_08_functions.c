@@ -59,6 +59,8 @@ static double tests_by(double (*size)(BBox3D box), CostJob in)
 
 #define SIDE(axis) ((double)box.max[axis] - (double)box.min[axis])
 
+#define ONE_DIVIDED "the area of each child is divided by the cell's, not that of one alone"
+
 static double edges(BBox3D box)
 {
     return SIDE(0) + SIDE(1) + SIDE(2);
@@ -111,6 +113,21 @@ ANSWERS(lower_tests, SAH_TRAVERSAL + (SAH_TEST * L * N_L + H * N_H) / A,
         "KD_COST_TEST multiplies the tests of both children, not of the lower one alone")
 ANSWERS(lower_only, with_tests((L * N_L) / A), "the higher child is missing")
 ANSWERS(higher_only, with_tests((H * N_H) / A), "the lower child is missing")
+ANSWERS(both_lower, with_tests(L *(N_L + N_H) / A),
+        "both children's boxes are cut on the same side: one keeps the cell's minimum, the other "
+        "its maximum")
+ANSWERS(both_higher, with_tests(H *(N_L + N_H) / A),
+        "both children's boxes are cut on the same side: one keeps the cell's minimum, the other "
+        "its maximum")
+ANSWERS(all_in_both, with_tests((L + H) * (N_L + N_H) / A),
+        "each child counts its own spheres only, not those of both")
+ANSWERS(lower_undivided, with_tests(L *N_L + H * N_H / A), ONE_DIVIDED)
+ANSWERS(higher_undivided, with_tests(L *N_L / A + H * N_H), ONE_DIVIDED)
+ANSWERS(mean, with_tests(TESTS / 2), "the two parts add up: a sum of expected tests is no mean")
+ANSWERS(two_steps, SAH_TRAVERSAL + with_tests(TESTS),
+        "KD_COST_TRAVERSAL is paid once for a split, not for each child")
+ANSWERS(all_divided, with_tests(TESTS) - SAH_TRAVERSAL + SAH_TRAVERSAL / A,
+        "the step is paid in full: only the areas are divided by the cell's")
 ANSWERS(flat_is_missed,
         with_tests(((in.pos > in.box.min[in.axis]) * L * N_L +
                     (in.pos < in.box.max[in.axis]) * H * N_H) /
@@ -147,7 +164,8 @@ static const Known *const cost_known[] = {
     &higher_is_rest,    &lower_uncut,    &higher_uncut,     &cut_across_x,    &one_at_least,
     &whole_tests,       &all_multiplied, &lower_tests,      &lower_only,      &higher_only,
     &flat_is_missed,    &bonus,          &empty_saves_step, &none_saves_step, &lost_signed,
-    &lost_short};
+    &lost_short,        &both_lower,     &both_higher,      &all_in_both,     &lower_undivided,
+    &higher_undivided,  &mean,           &two_steps,        &all_divided};
 
 // ---- split_cost: answers ------------------------------------------------------------------------
 
@@ -189,6 +207,7 @@ int costs_alone_08(const void *pointer, const JudgeCheck *check, const Sections 
     const i32 found = ((const i32 *)answers)[i]
 #define IS_FOUND(expected) ((found != 0) == (expected))
 
+#define EACH_ENOUGH "each of the three reasons is enough by itself: joined by or, not by and"
 #define LEAF_COST (SAH_TEST * in.n_spheres)
 #define IS_DEEP (in.level >= in.maxDepth)
 #define IS_SMALL ((int64_t)in.n_spheres <= in.targetElementsPerNode)
@@ -222,6 +241,25 @@ ANSWERS(is_signed, IS_DEEP || (i32)in.n_spheres <= in.targetElementsPerNode || I
         "as an int the number of very many spheres is negative: the limit is to be unsigned, not "
         "the number signed")
 
+ANSWERS(level_equal, in.level == in.maxDepth || IS_SMALL || IS_DEAR,
+        "a level may also be beyond maxDepth: it is a limit, not one number")
+ANSWERS(target_equal, IS_DEEP || (int64_t)in.n_spheres == in.targetElementsPerNode || IS_DEAR,
+        "there may also be fewer spheres than targetElementsPerNode: it is a limit, not one number")
+ANSWERS(both_strict,
+        in.level > in.maxDepth || (int64_t)in.n_spheres < in.targetElementsPerNode || IS_DEAR,
+        "on level maxDepth itself, and with just targetElementsPerNode spheres, a node stays a "
+        "leaf")
+ANSWERS(split_steps, IS_DEEP || IS_SMALL || in.best_cost + SAH_TRAVERSAL >= LEAF_COST,
+        "KD_COST_TRAVERSAL is in best_cost already: it counts once")
+ANSWERS(all_must, IS_DEEP &&IS_SMALL &&IS_DEAR, EACH_ENOUGH)
+ANSWERS(limit_and_cost, (IS_DEEP || IS_SMALL) && IS_DEAR, EACH_ENOUGH)
+ANSWERS(small_and_dear, IS_DEEP || (IS_SMALL && IS_DEAR), EACH_ENOUGH)
+ANSWERS(deep_and_dear, (IS_DEEP && IS_DEAR) || IS_SMALL, EACH_ENOUGH)
+ANSWERS(only_cost, IS_DEAR, "neither maxDepth nor targetElementsPerNode is looked at")
+ANSWERS(inverted, !IS_LEAF, "1 and 0 are swapped: 1 for a leaf")
+ANSWERS(limits_swapped,
+        in.level >= in.targetElementsPerNode || (int64_t)in.n_spheres <= in.maxDepth || IS_DEAR,
+        "the two limits are swapped: maxDepth is one of levels")
 #define COST_CUT "a cost was cut to a whole number: half a step makes a difference, too"
 ANSWERS(leaf_cut, IS_DEEP || IS_SMALL || in.best_cost >= trunc(LEAF_COST), COST_CUT)
 // What INFINITY is as a whole number, C leaves open.
@@ -233,10 +271,12 @@ EACH(both_cut,
          IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= trunc(LEAF_COST)),
      COST_CUT)
 
-static const Known *const leaf_known[] = {&level_more,   &level_less, &fewer,       &equal_is_split,
-                                          &no_depth,     &no_target,  &no_cost,     &leaf_steps,
-                                          &tests_cost_1, &reversed,   &both_limits, &is_signed,
-                                          &leaf_cut,     &split_cut,  &both_cut};
+static const Known *const leaf_known[] = {
+    &level_more,  &level_less,    &fewer,          &equal_is_split, &no_depth,      &no_target,
+    &no_cost,     &leaf_steps,    &tests_cost_1,   &reversed,       &both_limits,   &is_signed,
+    &leaf_cut,    &split_cut,     &both_cut,       &level_equal,    &target_equal,  &both_strict,
+    &split_steps, &all_must,      &limit_and_cost, &small_and_dear, &deep_and_dear, &only_cost,
+    &inverted,    &limits_swapped};
 
 // ---- is_leaf_by_cost: answers -------------------------------------------------------------------
 

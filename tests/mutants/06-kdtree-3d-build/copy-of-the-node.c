@@ -1,0 +1,11 @@
+// mutant: a copy of the node is filled in
+// task: pack_leaf_range
+// caught by: pack-node
+// says: copy of it
+    KdNode3 node = tree->nodes[id];
+    node.split_axis = KD_LEAF;
+    node.first = tree->n_sphere_ids;
+    node.n_spheres = n_ids;
+    for (u32 i = 0; i < n_ids; i++) {
+        tree->sphere_ids[tree->n_sphere_ids++] = ids[i];
+    }

@@ -1,0 +1,11 @@
+// mutant: all ids are written to one place
+// task: pack_leaf_range
+// caught by: pack-ids
+// says: one place
+    tree->nodes[id].split_axis = KD_LEAF;
+    tree->nodes[id].first = tree->n_sphere_ids;
+    tree->nodes[id].n_spheres = n_ids;
+    for (u32 i = 0; i < n_ids; i++) {
+        tree->sphere_ids[tree->n_sphere_ids] = ids[i];
+    }
+    tree->n_sphere_ids += n_ids;
