@@ -149,4 +149,4 @@ help:  ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / && " $(has_not) " !~ " " $$1 " " { sub("LAB=03", "LAB=$(EXAMPLE_LAB)"); \
 	    $(if $(word 2,$(here)),,sub(/ \[SOLUTION=1\]/, ""); sub(/, with the grades of classes there/, ""); ) printf "  make %-12s %s\n", $$1, $$2 }' $(filter %Makefile %.mk,$(MAKEFILE_LIST))
 
--include $(shell find $(OUT)/obj $(OUT)/native/obj -name '*.d' 2>/dev/null)
+-include $(shell find $(OUT)/obj $(OUT)/native/obj $(OUT)/memcheck/obj -name '*.d' 2>/dev/null)

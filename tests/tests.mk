@@ -110,7 +110,7 @@ figures: all views pixels $(FIGURES)  ## draw the pictures of the READMEs and no
 	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 # Texts of answers are as somebody wrote them.
-NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/.*\\.cl -e ^tests/attacks/
+NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/faults/ -e ^tests/attacks/
 # Older ones, that editors may have, know no InsertBraces: it is not in .clang-format.
 format:  ## put every source into the one format
 	clang-format-19 --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
@@ -121,7 +121,7 @@ UNIT_TESTS := $(patsubst tests/unit/%.c,$(OUT)/tests/%,$(wildcard tests/unit/tes
 $(UNIT_TESTS): $(OUT)/tests/%: $(OUT)/obj/tests/unit/%.c.o $(OUT)/libcopies.a $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libjudge.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES) -larchive $(CLASS_LIBRARIES) -lcriterion)
 $(OUT)/tests/test_memcheck: $(call objects,$(filter-out %/memcheck.c,$(MEMCHECK_SOURCES)))
-$(OUT)/tests/test_oclgrind_log: $(call objects,tests/memcheck/oclgrind_log.c)
+$(OUT)/tests/test_sanitizer_log: $(call objects,tests/memcheck/sanitizer_log.c)
 
 # Fuzz targets, each as a function of its name, for the test that runs their corpus through.
 $(OUT)/obj/tests/fuzz/%.c.o: EXTRA = $(GRADER_INCLUDES) -DLLVMFuzzerTestOneInput=$(basename $(notdir $<))
@@ -192,7 +192,7 @@ unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # All that `make test` runs, which tries each suite's heart (tests/tap.sh).
-suites: all $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native \
+suites: all $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native memcheck-libraries \
     $(filter $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(VIEWS) $(PIXELS))
 heart: suites unit-tests
 # The bench is built here, too: it must not break unnoticed.

@@ -59,7 +59,7 @@ static inline Lanes lane_lengths(Lanes x, Lanes y, Lanes z)
 }
 
 // The largest of all lanes: the upper half onto the lower one, until one is left. The halves are
-// read from memory, which compilers see through: Oclgrind takes .lo and .hi for never set.
+// read from memory, which compilers see through.
 static inline float largest_lane(Lanes lanes)
 {
     float values[LANES];

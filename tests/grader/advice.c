@@ -85,28 +85,18 @@ static const Task *find_strange_task(const Manifest *manifest, const char *const
     return NULL;
 }
 
-// `what` happened, and Oclgrind looks for its cause.
+// `what` happened, and memcheck looks for its cause.
 static char *offer_memcheck(const Manifest *manifest, const char *what)
 {
-    return message_new("%s: `make memcheck LAB=%.2s` looks for indices out of range, values that "
-                       "were never set and races, at your own lines.",
-                       what, manifest->lab);
+    return message_new(
+        "%s: `make memcheck LAB=%.2s` looks for indices out of range and values that "
+        "were never set, at your own lines.",
+        what, manifest->lab);
 }
 
-char *advice_after_crash(const Manifest *manifest, const char *task, int has_oclgrind)
+char *advice_after_crash(const Manifest *manifest)
 {
-    const Task *at = task != NULL ? manifest_task(manifest, task) : NULL;
-    const int is_on_host =
-        at != NULL ? manifest_is_host_file(at->file) : !manifest_has_kernels(manifest);
-    if (is_on_host) {
-        // Oclgrind looks at kernels only.
-        return message_new("A crash in a host file: `make SANITIZE=1 build/sanitized/labs/%s`, and "
-                           "run that program: the topmost line that names a file of yours is the "
-                           "place. The last table of the lab's README says what leads there.",
-                           manifest->lab);
-    }
-    return has_oclgrind && manifest_has_kernels(manifest) ? offer_memcheck(manifest, "A crash")
-                                                          : NULL;
+    return offer_memcheck(manifest, "A crash");
 }
 
 // The line of the first word `local` in a kernel's source, or 0.
@@ -121,7 +111,7 @@ static int local_line(const char *source)
     return word.kind == SOURCE_END ? 0 : word.line;
 }
 
-char *advice_on_local(const Manifest *manifest, const char *folder, int has_oclgrind)
+char *advice_on_local(const Manifest *manifest, const char *folder)
 {
     for (int i = 0; i < manifest->n_files; i++) {
         const char *name = manifest->files[i];
@@ -132,12 +122,9 @@ char *advice_on_local(const Manifest *manifest, const char *folder, int has_oclg
         const int line = source != NULL ? local_line(source) : 0;
         free(source);
         if (line > 0) {
-            char *what = message_new("%s:%d: all work-items of a group share a `local` variable, "
-                                     "also where this device let them take turns",
-                                     name, line);
-            char *advice = has_oclgrind ? offer_memcheck(manifest, what) : message_new("%s.", what);
-            free(what);
-            return advice;
+            return message_new("%s:%d: all work-items of a group share a `local` variable, also "
+                               "where this device let them take turns.",
+                               name, line);
         }
     }
     return NULL;

@@ -134,16 +134,15 @@ static void add_advice(Grading *grading)
 {
     const Variant *whole = &grading->whole;
     const Manifest *manifest = &grading->session.manifest;
-    const int has_oclgrind = access(OCLGRIND_DRIVER, R_OK) == 0;
     char *advice = NULL;
     if (whole->has_crashed && !grading->has_line && !is_named(grading)) {
-        advice = advice_after_crash(manifest, whole->place.task, has_oclgrind);
+        advice = advice_after_crash(manifest);
     } else if (whole->trouble == NULL) {
         char folder[PATH_MAX];
         path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, whole->name);
-        advice = advice_on_local(manifest, folder, has_oclgrind);
+        advice = advice_on_local(manifest, folder);
     }
-    if (advice == NULL && whole->trouble == NULL && has_oclgrind) {
+    if (advice == NULL && whole->trouble == NULL) {
         advice = advise_on_pixels(grading);
     }
     if (advice != NULL) {

@@ -28,8 +28,7 @@ enum { EXIT_CLEAN = 0, EXIT_FOUND = 1, EXIT_FAULT = 2 };
 // ---- The job -----------------------------------------------------------------------------------
 
 // Make a job of another by `write`. Returns 0, or -1 after one message.
-static int job_make(const char *from, const char *to,
-                    int (*write)(const Sections *job, FILE *file))
+static int job_make(const char *from, const char *to, int (*write)(const Sections *job, FILE *file))
 {
     Sections job;
     if (sections_load(from, MAX_JOB_BYTES, &job) != 0) {
@@ -83,8 +82,10 @@ static void end_print(const Memcheck *memcheck)
         printf("It stops at the first: others may follow from it. Correct it, then try again. No "
                "points depend on it.\n");
     } else if (!memcheck->has_trouble) {
-        printf("%s: nothing found. Races between work-items are not looked for.\n",
-               memcheck->session.manifest.lab);
+        const Manifest *manifest = &memcheck->session.manifest;
+        printf("%s: nothing found.%s\n", manifest->lab,
+               manifest_has_kernels(manifest) ? " Races between work-items are not looked for."
+                                              : "");
     }
 }
 

@@ -67,8 +67,8 @@ static const struct {
     const char *part;
     size_t entry_bytes;
 } longer[] = {
-    {"circles", sizeof(Circle)},    {"map", sizeof(u32)},
-    {"spheres", sizeof(Sphere)},    {"material_ids", sizeof(u32)},
+    {"circles", sizeof(Circle)},     {"map", sizeof(u32)},
+    {"spheres", sizeof(Sphere)},     {"material_ids", sizeof(u32)},
     {"materials", sizeof(Material)}, {"lights", sizeof(Light)},
 };
 
@@ -273,8 +273,8 @@ static int scene2d_write(const SmallScene *scene, SceneJob header)
 // The display's size is the camera's: fewer pixels show all of it.
 static int scene3d_write(const SmallScene *scene, SceneJob3D header)
 {
-    static const char *const parts[] = {"spheres", "material_ids", "materials",    "lights",
-                                        "bounces", "leaf_spheres", "nodes",        "sphere_ids"};
+    static const char *const parts[] = {"spheres", "material_ids", "materials", "lights",
+                                        "bounces", "leaf_spheres", "nodes",     "sphere_ids"};
     const float scale = scale_of(header.width, header.height, MAX_SIDE_3D);
     header.width = scaled_side(header.width, scale);
     header.height = scaled_side(header.height, scale);

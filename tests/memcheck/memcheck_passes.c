@@ -36,7 +36,8 @@ enum { PASS_SECONDS = 15 };
 
 // What both passes compile kernels with: not optimised, as a read whose value nobody needs is a
 // fault, too, and a value that was never set would be whatever makes the code short.
-#define KERNELS "NATIVE_OPTIONS=-g -O0 -fno-omit-frame-pointer "
+// Work-items run one after the other, so each may as well have a `local` variable of its own.
+#define KERNELS "NATIVE_OPTIONS=-Dlocal= -D__local= -g -O0 -fno-omit-frame-pointer "
 
 // One sanitizer.
 typedef struct Pass {
@@ -62,6 +63,9 @@ static const Pass passes[] = {
 };
 enum { N_PASSES = sizeof passes / sizeof *passes };
 
+// The script's exit status where a host file does not compile, or does not link.
+enum { EXIT_NO_HOST = 3 };
+
 // Compile host files, link the probe with OpenCL of our own, and run it, all in the sandbox.
 static const char script[] =
     "sanitizer=$1 lab=$2 host=$3\n"
@@ -72,7 +76,8 @@ static const char script[] =
     "        -I \"labs/$lab\" $host -c \"labs/$lab/$file\" -o \"build/$file.o\" || exit 3\n"
     "    set -- \"$@\" \"build/$file.o\" && shift\n"
     "done\n"
-    "clang -fsanitize=\"$sanitizer\" \"lib/$lab.o\" \"$@\" \"lib/earlier/$lab.a\" lib/libcommon.a \\\n"
+    "clang -fsanitize=\"$sanitizer\" \"lib/$lab.o\" \"$@\" \"lib/earlier/$lab.a\" lib/libcommon.a "
+    "\\\n"
     "    \"lib/memcheck-$sanitizer.so\" -lm -o build/memcheck || exit 3\n"
     "exec build/memcheck\n";
 
@@ -196,6 +201,11 @@ static void tell_finding(Memcheck *memcheck, const Pass *pass)
     char *place = text_load(path, MAX_PLACE_BYTES);
     if (report != NULL && place != NULL &&
         finding_read(report, place, &memcheck->session.manifest, &finding)) {
+        // Of a function that is called for itself, a work-item is only the number of an input.
+        const ProbeNote note = run_note_load(out);
+        if (strcmp(note.name, "picture") != 0) {
+            finding.work_item[0] = '\0';
+        }
         finding_print(memcheck, &finding);
         memcheck->has_finding = 1;
     }
@@ -220,6 +230,12 @@ static void print_place(Memcheck *memcheck, const Pass *pass)
 static void tell_trouble(Memcheck *memcheck, const Pass *pass, const SandboxResult *result,
                          SandboxTime allowed)
 {
+    memcheck->has_trouble = 1;
+    if (result->outcome == SANDBOX_EXITED &&
+        (result->exit_status == EXIT_NO_HOST || result->exit_status == PROBE_EXIT_NO_BUILD)) {
+        printf("It does not compile:\n%s", result->output);
+        return;
+    }
     char *end = run_end_describe(result, allowed);
     printf("It did not run to its end: %s\n", end);
     print_place(memcheck, pass);
@@ -229,7 +245,6 @@ static void tell_trouble(Memcheck *memcheck, const Pass *pass, const SandboxResu
     }
     printf("%s", result->output);
     free(end);
-    memcheck->has_trouble = 1;
 }
 
 // ---- All ----------------------------------------------------------------------------------------

@@ -22,8 +22,7 @@
 #include <string.h>
 
 #define CHECK_INDEX                                                                                \
-    "Compare the index with the number of entries before you use it. Does a loop run one step too "    \
-    "far, or does an index come from where nothing was stored?"
+    "Compare the index with the number of entries before you use it. Does a loop go too far?"
 #define SET_FIRST "Give it a value before it is read, on every way through the code."
 
 // A variable's name, cut off where it is longer.
@@ -44,9 +43,9 @@ static void say(Finding *finding, const char *to_do, const char *format, ...)
 // Is it a read, or a write? Where nothing says so, neither.
 static const char *does(const char *report)
 {
-    return strstr(report, "WRITE of size") || strstr(report, "caused by a WRITE")  ? "writes"
+    return strstr(report, "WRITE of size") || strstr(report, "caused by a WRITE") ? "writes"
            : strstr(report, "READ of size") || strstr(report, "caused by a READ") ? "reads"
-                                                                                   : "uses";
+                                                                                  : "uses";
 }
 
 // The name in quotes behind `begin`, or "".
@@ -134,9 +133,11 @@ static int says_unset(Finding *finding, const char *report)
     if (origin != NULL) {
         quoted_name(origin, name);
     }
-    say(finding, SET_FIRST, name[0] != '\0' ? "uses a value that was never set, of `%s`"
-                                            : "uses a value that was never set",
-        name);
+    const char *uses = strstr(report, " in write_imagef") ? "draws with" : "uses";
+    say(finding, SET_FIRST,
+        name[0] != '\0' ? "%s a value that was never set, of `%s`"
+                        : "%s a value that was never set",
+        uses, name);
     return 1;
 }
 
@@ -145,7 +146,7 @@ static int says_unset(Finding *finding, const char *report)
 // Where a given file went wrong: the first place of the report in one, above the student's own.
 static void given_read(Finding *finding, const char *report, const Manifest *manifest)
 {
-    static const char *const folders[] = {"/labs/", "/solutions/", "/probes/", "/kernels/"};
+    static const char *const folders[] = {"/labs/", "/solutions/", "/kernels/"};
     for (const char *frame = strstr(report, "    #0 "); frame != NULL && frame[0] == ' ';
          frame = strchr(frame, '\n'), frame += frame != NULL) {
         char path[PATH_MAX];

@@ -431,9 +431,18 @@ LOADS_AND_STORES(uchar)
 LOADS_AND_STORES(int)
 LOADS_AND_STORES(uint)
 
+// The memory sanitizer reports what is used; a colour is used where it is drawn.
+#if __has_feature(memory_sanitizer)
+void __msan_check_mem_is_initialized(const void *bytes, size_t n_bytes);
+#define CHECK_IS_SET(value) __msan_check_mem_is_initialized(&(value), sizeof(value))
+#else
+#define CHECK_IS_SET(value)
+#endif
+
 // A pixel beside the image is dropped, as drivers do.
 void OVERLOADABLE write_imagef(NativeImage image, int2 place, float4 color)
 {
+    CHECK_IS_SET(color);
     if (place.x >= 0 && place.y >= 0 && place.x < image->width && place.y < image->height) {
         image->pixels[(size_t)place.y * (size_t)image->width + (size_t)place.x] = color;
     }

@@ -4,6 +4,7 @@
 // No kernel of the course has local memory or a barrier: one that has is refused, as there is no
 // such function here.
 #include "compile.h"
+#include "message.h"
 #include "native_cl.h"
 
 #include <dlfcn.h>
@@ -38,6 +39,24 @@ cl_program clCreateProgramWithSource(cl_context context, cl_uint n_texts, const 
     return program;
 }
 
+// What the loader says of a program, with the name of the function that it lacks. The compiler has
+// that as "_Z7barrierj": the length of the name, and types behind it.
+static char *missing_function(const char *says)
+{
+    static const char mark[] = "undefined symbol: _Z";
+    const char *symbol = strstr(says, mark);
+    char name[64];
+    char *end = NULL;
+    const long length = symbol != NULL ? strtol(symbol + strlen(mark), &end, 10) : 0;
+    if (length <= 0 || length >= (long)sizeof name) {
+        return strdup(says);
+    }
+    snprintf(name, sizeof name, "%.*s", (int)length, end);
+    return message_new("a kernel calls %s(), which the course's own OpenCL for this processor does "
+                       "not have\n",
+                       name);
+}
+
 cl_int clBuildProgram(cl_program program, cl_uint n_devices, const cl_device_id *devices,
                       const char *options, void (*notify)(cl_program, void *), void *data)
 {
@@ -50,7 +69,7 @@ cl_int clBuildProgram(cl_program program, cl_uint n_devices, const cl_device_id 
         program->library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
         if (program->library == NULL) {
             free(program->log);
-            program->log = strdup(dlerror());
+            program->log = missing_function(dlerror());
         }
     }
     free(path);

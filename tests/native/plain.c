@@ -23,4 +23,6 @@ void memory_was_set(const void *bytes, size_t n_bytes)
     (void)bytes, (void)n_bytes;
 }
 
-void launch_has_ended(void) {}
+void launch_has_ended(void)
+{
+}

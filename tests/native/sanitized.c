@@ -5,7 +5,7 @@
 // be touched but these: an index of an `int` that is too large or negative ends there. If the
 // program ends for a fault, a file says which array that was, which entry, and which work-item.
 //
-// Read next: tests/memcheck/README.md.
+// Read next: launch.c.
 #include "native_cl.h"
 
 #include <fcntl.h>

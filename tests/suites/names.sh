@@ -58,7 +58,7 @@ for variable in SUBMISSION SEED DEVICE TIME_LIMIT; do
 done
 both_ways "make grade" 0 LAB "$hostile" --old-file=graded grade BUILD="$fake"
 for variable in SUBMISSION SEED TIME_LIMIT; do
-    both_ways "make memcheck" 0 $variable "$hostile" --old-file=graded --old-file="$fake/tools/memcheck" memcheck BUILD="$fake" LAB=00
+    both_ways "make memcheck" 0 $variable "$hostile" --old-file=graded --old-file=memcheck-libraries --old-file="$fake/tools/memcheck" memcheck BUILD="$fake" LAB=00
 done
 
 # The words of OPTIONS are told apart as a shell does, by blanks and quotes; signs are signs.

@@ -1,5 +1,5 @@
-// grader/memcheck_job and advice: the job for Oclgrind is small and its arrays end where
-// they end; a report offers Oclgrind where it may help.
+// memcheck_job and advice: arrays end where they end, and the memory sanitizer's job is small; a
+// report offers memcheck where it may help.
 #include "advice.h"
 #include "jobs.h"
 #include "judge.h"
@@ -15,24 +15,35 @@ TestSuite(memcheck);
 
 // ---- The small job ------------------------------------------------------------------------------
 
+static Sections job_made(const Sections *job, int (*write)(const Sections *job, FILE *file))
+{
+    char *bytes = NULL;
+    size_t n_bytes;
+    FILE *file = open_memstream(&bytes, &n_bytes);
+    cr_assert_eq(write(job, file), 0);
+    fclose(file);
+    return (Sections){(unsigned char *)bytes, n_bytes};
+}
+
 // A lab's job, made small.
 static Sections small_job(const char *lab)
 {
     const Judge *judge = judge_of(lab);
-    char *bytes[2] = {NULL, NULL};
-    size_t n_bytes[2];
-    FILE *file = open_memstream(&bytes[0], &n_bytes[0]);
+    char *bytes = NULL;
+    size_t n_bytes;
+    FILE *file = open_memstream(&bytes, &n_bytes);
     Job *job = job_new(judge, 1, file);
     fclose(file);
     cr_assert_not_null(job);
     job_free(job);
-    const Sections whole = {(unsigned char *)bytes[0], n_bytes[0]};
-    file = open_memstream(&bytes[1], &n_bytes[1]);
-    cr_assert_eq(memcheck_job_write(&whole, file), 0);
-    fclose(file);
-    cr_expect_lt(n_bytes[1], n_bytes[0]);
-    free(bytes[0]);
-    return (Sections){(unsigned char *)bytes[1], n_bytes[1]};
+    const Sections whole = {(unsigned char *)bytes, n_bytes};
+    const Sections made = job_made(&whole, memcheck_job_write);
+    const Sections small = job_made(&made, memcheck_job_write_small);
+    cr_expect_leq(made.n_bytes, whole.n_bytes);
+    cr_expect_lt(small.n_bytes, made.n_bytes);
+    free(bytes);
+    free(made.bytes);
+    return small;
 }
 
 static const void *scene_part(const Sections *job, int k, const char *part, size_t *n_bytes)
@@ -220,13 +231,13 @@ Test(advice, memcheck_is_offered_where_only_another_task_is_named)
 // ---- Shared variables ---------------------------------------------------------------------------
 
 // What is said of a kernel with this text.
-static const char *advice_on(const char *source, int has_oclgrind)
+static const char *advice_on(const char *source)
 {
     static char said[512];
     const Manifest manifest = {.lab = "01-naive-2d", .files = {"host.c", "a.cl"}, .n_files = 2};
     file_write("host.c", "int local;", strlen("int local;"));
     file_write("a.cl", source, strlen(source));
-    char *advice = advice_on_local(&manifest, ".", has_oclgrind);
+    char *advice = advice_on_local(&manifest, ".");
     snprintf(said, sizeof said, "%s", advice ? advice : "");
     free(advice);
     return said;
@@ -235,10 +246,9 @@ static const char *advice_on(const char *source, int has_oclgrind)
 Test(advice, of_a_local_variable_says_that_a_group_shares_it, .init = folder_enter,
      .fini = folder_leave)
 {
-    cr_expect_str_eq(advice_on("\n    local float4 color;", 0),
+    cr_expect_str_eq(advice_on("\n    local float4 color;"),
                      "a.cl:2: all work-items of a group share a `local` variable, also where this "
                      "device let them take turns.");
-    cr_expect(strstr(advice_on("__local int n;", 1), "a.cl:1: all work-items of a group share"));
-    cr_expect(strstr(advice_on("__local int n;", 1), "take turns: `make memcheck LAB=01` looks"));
-    cr_expect_str_eq(advice_on("// local\nint x = get_local_id(0);", 1), "");
+    cr_expect(strstr(advice_on("__local int n;"), "a.cl:1: all work-items of a group share"));
+    cr_expect_str_eq(advice_on("// local\nint x = get_local_id(0);"), "");
 }

@@ -80,7 +80,7 @@ typedef struct SandboxCommand {
 // What all processes of any command may hold together, beyond its own limits. A look at a run reads
 // a line for each mapping of memory and asks after each open file: these bound what a look costs,
 // and what the kernel keeps for them, which nobody counts. The most that was seen of solutions,
-// compilers, the address sanitizer and Oclgrind is 375 mappings and 39 open files. NVIDIA's driver
+// compilers and the address sanitizer is 375 mappings and 39 open files. NVIDIA's driver
 // has 260 and 40; five hundred processes of a small program have 12 000 and 1500.
 enum {
     SANDBOX_MAX_MAPPINGS = 16384,
