@@ -30,5 +30,11 @@ $(NATIVE)/probes/%.o: $(OUT)/probes/%.o
 	@mkdir -p $(@D) && cp $< $@
 $(filter-out %.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)): $(NATIVE)/probes/%: $(OUT)/probes/%.o $(NATIVE_OPENCL)
 	$(call link,'$(call from_root,$(NATIVE_OPENCL))' -lm)
-.PHONY: native
+# In a handout: is there a device? Here always.
+$(NATIVE)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/libcommon.a $(NATIVE_OPENCL)
+	$(call link,'$(call from_root,$(NATIVE_OPENCL))' -lm)
+.PHONY: native lab-native
+# What make watch judges one lab with.
+lab-native: $(NATIVE)/libcommon.a $(addprefix $(NATIVE)/,tools earlier no_macros.h probes/find_device) \
+    $(filter $(addprefix $(NATIVE)/probes/,$(graded_lab) $(graded_lab).o),$(PROBES:$(OUT)/%=$(NATIVE)/%))
 native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier $(NATIVE)/no_macros.h
