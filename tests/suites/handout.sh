@@ -78,7 +78,7 @@ only_its_files() {
         -e 'tests/judge/judge-x86_64' -e 'tests/judge/judge-aarch64' -e "tests/skeletons/$2/[^/]*")
     [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
-        -e '^tests/desk/' -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
+        -e '^tests/desk/' -e '^tests/native/' -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
         -e '^tests/probes/[^/]*/jobs_[0-9]*\.h$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
         -e '^tests/scenes/' -e '^tests/solution-seconds$' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')
@@ -124,7 +124,7 @@ judge_names() {
 
 # The lines of the judge's sources, blanks aside, but for those that are given out.
 judge_lines() {
-    find common kernels labs tests/desk tests/grader tests/memcheck tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
+    find common kernels labs tests/desk tests/native tests/grader tests/memcheck tests/probes tests/stand_ins solutions -type f -name '*.[ch]*' \
         -exec cat {} + | tr -d ' \t' | sort -u >"$scratch/given"
     find tests/judge -name '*.[ch]' -exec cat {} + | tr -d ' \t' | grep '[A-Za-z0-9].\{16,\}' | sort -u |
         comm -23 - "$scratch/given"
