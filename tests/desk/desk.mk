@@ -17,7 +17,7 @@ needs_lab = test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expect
 .PHONY: watch hint progress
 watch: graded $(DESK)  ## after every save compile, draw (outside the sandbox: own code only) and grade: LAB=03 [OPTIONS="--scene ..."] [DEVICE=d]
 	@$(say_which_lab); $(needs_lab)
-	@set --; ! test -x /usr/bin/clang || ! $(build_native) || set -- --native $(OUT)/native; \
+	@set --; ! test -n "$(NATIVE_CLANG)" || ! $(build_native) || set -- --native $(OUT)/native; \
 	    $(DESK) watch "$$@" --build $(OUT) --make "$(make_program)" --lab $(graded_lab) $(if $(OPTIONS),--options "$$OPTIONS") $(if $(DEVICE),--device "$$DEVICE")
 hint: $(DESK)  ## one more hint for the first fault of the last grading: LAB=03
 	@$(say_which_lab); $(needs_lab)

@@ -2,6 +2,8 @@
 # with a little OpenCL of our own. Judge and earlier labs are those of the build folder above.
 
 NATIVE := $(OUT)/native
+# The package clang, or what PoCL's own package brings along.
+NATIVE_CLANG := $(firstword $(wildcard /usr/bin/clang /usr/bin/clang-[0-9] /usr/bin/clang-[0-9][0-9]))
 NATIVE_OPENCL := $(NATIVE)/libOpenCL.so
 NATIVE_SOURCES := $(wildcard tests/native/*.c) $(addprefix common/,path.c text_file.c message.c complain.c clean_text.c utf8.c)
 
@@ -10,11 +12,11 @@ from_root = $(if $(filter /%,$(1)),$(1),$(CURDIR)/$(1))
 
 # A library's code may lie anywhere.
 $(NATIVE)/obj/%.c.o: %.c $(FLAG_FILES)
-	$(call compile,$(CC) $(CFLAGS) -fPIC -DNATIVE_CACHE='"$(call from_root,$(NATIVE)/kernels)"' \
+	$(call compile,$(CC) $(CFLAGS) -fPIC -DCLANG='"$(NATIVE_CLANG)"' -DNATIVE_CACHE='"$(call from_root,$(NATIVE)/kernels)"' \
 	    -DNATIVE_HEADER='"$(call from_root,tests/native/kernels.h)"', for kernels)
 $(NATIVE)/obj/builtins.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG_FILES)
 	@mkdir -p $(@D)
-	$(call say,compile $<)clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Xclang -fdeclare-opencl-builtins \
+	$(call say,compile $<)$(NATIVE_CLANG) -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Xclang -fdeclare-opencl-builtins \
 	    $(WARNINGS) -O2 -fPIC -ffp-contract=off -c $< -o $@
 $(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
 	@mkdir -p $(@D)/kernels
