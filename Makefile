@@ -130,7 +130,7 @@ doctor:  ## look at this machine, and name one command for each thing that is wr
 # One pixel; windows; the grader; and, where they are, its judge, memcheck, all that is for authors,
 # and the notes. A handout has not all of it.
 include common/follow/follow.mk common/view/view.mk tests/grader/grader.mk
--include tests/desk/desk.mk tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk slides-notes/make/notes.mk
+-include tests/native/native.mk tests/desk/desk.mk tests/judge/judge.mk tests/memcheck/memcheck.mk tests/tests.mk slides-notes/make/notes.mk
 
 # Make lists the sources and what is built once, when it starts: after a clean in the same run it would not know.
 ifneq ($(and $(filter clean,$(MAKECMDGOALS)),$(filter-out clean,$(MAKECMDGOALS))),)

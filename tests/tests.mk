@@ -223,4 +223,4 @@ test-mutants: grader  ## try mechanical mutants of every lab, or of LAB=03 (long
 test-attacks: tests  ## try every attack in every sandbox, as root (long)
 	@BUILD="$(BUILD)" SANDBOXES="bubblewrap landlock user" sh tests/suites/attacks.sh tests/attacks/*/*
 
-include tests/fuzz/fuzz.mk tests/bench/bench.mk tests/native/native.mk
+include tests/fuzz/fuzz.mk tests/bench/bench.mk

@@ -27,6 +27,10 @@ static void run(char *const words[], int output)
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     if (output >= 0) {
+        // What is read of it is shown there later.
+        if (isatty(STDOUT_FILENO)) {
+            setenv("CLICOLOR_FORCE", "1", 1);
+        }
         dup2(output, STDOUT_FILENO);
         dup2(output, STDERR_FILENO);
     }

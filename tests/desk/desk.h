@@ -9,6 +9,7 @@
 
 typedef struct Desk {
     const char *build;    // the build folder
+    const char *native;   // that of probes which run without a driver (tests/native); NULL: none
     const char *make;     // the program that builds
     const Manifest *lab;  // the one that is asked for
     const char *options;  // of its program, in place of the manifest's `look`; NULL: those

@@ -27,7 +27,7 @@
 enum { EXIT_FAULT = 2 };
 
 typedef struct Given {
-    const char *build, *lab, *make, *options, *device;
+    const char *build, *native, *lab, *make, *options, *device;
     int help;
 } Given;
 
@@ -37,6 +37,8 @@ static const OptionRow ROWS[] = {
     {"lab", "NAME", OPTION_TEXT, PLACE(lab), .meaning = "the lab's folder in labs/"},
     {"build", "FOLDER", OPTION_TEXT, PLACE(build),
      .meaning = "where programs and results are (default: build)"},
+    {"native", "FOLDER", OPTION_TEXT, PLACE(native),
+     .meaning = "where probes are that watch judges by first, without a driver (default: none)"},
     {"make", "PROGRAM", OPTION_TEXT, PLACE(make), .meaning = "what builds (default: make)"},
     {"options", "WORDS", OPTION_TEXT, PLACE(options),
      .meaning = "of the program that watch draws with (default: the lab's own)"},
@@ -98,7 +100,7 @@ int main(int argc, char **argv)
     if (manifest_load("labs", given.lab, &lab) != 0) {
         return EXIT_FAULT;
     }
-    const Desk desk = {given.build, given.make, &lab, given.options, given.device};
+    const Desk desk = {given.build, given.native, given.make, &lab, given.options, given.device};
     int result = -1;
     if (strcmp(command, "note") == 0) {
         result = note(&desk);

@@ -62,18 +62,30 @@ int fault_is_unanswered(const json_t *check)
     return strcmp(text_of(check, "silent"), silence_name(SILENCE_UNANSWERED)) == 0;
 }
 
-const char *fault_sentence(const json_t *results, const json_t *check)
+// A stage of the grading, or NULL.
+static const json_t *stage_of(const json_t *results, const char *title)
 {
-    const int has_ended = strcmp(text_of(check, "silent"), silence_name(SILENCE_ENDED)) == 0;
-    const char *cause = text_of(check, "cause"), *end = "";
     size_t i;
     json_t *stage;
     json_array_foreach(json_object_get(results, "stages"), i, stage)
     {
-        if (has_ended && strcmp(text_of(stage, "title"), "Running") == 0) {
-            end = text_of(stage, "message");
+        if (strcmp(text_of(stage, "title"), title) == 0) {
+            return stage;
         }
     }
+    return NULL;
+}
+
+int results_are_of_compiled(const json_t *results)
+{
+    return strcmp(text_of(stage_of(results, "Compiling"), "status"), "passed") == 0;
+}
+
+const char *fault_sentence(const json_t *results, const json_t *check)
+{
+    const int has_ended = strcmp(text_of(check, "silent"), silence_name(SILENCE_ENDED)) == 0;
+    const char *cause = text_of(check, "cause");
+    const char *end = has_ended ? text_of(stage_of(results, "Running"), "message") : "";
     return cause[0] != '\0' ? cause : end[0] != '\0' ? end : text_of(check, "message");
 }
 
@@ -95,10 +107,10 @@ static int points_in(const json_t *results, const char *id)
     return 0;
 }
 
-void results_compare(const json_t *before, const json_t *now,
-                     void (*tell)(void *context, const json_t *check, int difference),
-                     void *context)
+int results_compare(const json_t *before, const json_t *now,
+                    void (*tell)(void *context, const json_t *check, int difference), void *context)
 {
+    int n_different = 0;
     size_t i;
     json_t *check;
     json_array_foreach(json_object_get(now, "checks"), i, check)
@@ -106,6 +118,8 @@ void results_compare(const json_t *before, const json_t *now,
         const int difference = number_of(check, "points") - points_in(before, text_of(check, "id"));
         if (difference != 0) {
             tell(context, check, difference);
+            n_different++;
         }
     }
+    return n_different;
 }

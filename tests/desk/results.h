@@ -24,13 +24,17 @@ int fault_is_unanswered(const json_t *check);
 // there is no answer, else what was found. May be of several lines.
 const char *fault_sentence(const json_t *results, const json_t *check);
 
+// Did the submission compile?
+int results_are_of_compiled(const json_t *results);
+
 // Was it seen in the pixels of a picture?
 int fault_is_in_picture(const json_t *check);
 
 // Call `tell` for each check whose points differ between two results of one lab.
+// Returns how many these are.
 //   before   NULL: each that has points now
-void results_compare(const json_t *before, const json_t *now,
-                     void (*tell)(void *context, const json_t *check, int difference),
-                     void *context);
+int results_compare(const json_t *before, const json_t *now,
+                    void (*tell)(void *context, const json_t *check, int difference),
+                    void *context);
 
 #endif

@@ -84,6 +84,7 @@ static int answer_line(const char *path, const char *task)
 
 void tell_places(const Manifest *lab, const json_t *results)
 {
+    int n_told = 0;
     for (int i = 0; i < lab->n_tasks; i++) {
         const Task *task = &lab->tasks[i];
         const json_t *fault = results_task_fault(results, task->id);
@@ -91,8 +92,9 @@ void tell_places(const Manifest *lab, const json_t *results)
         path_make(path, "labs/%s/%s", lab->lab, task->file);
         if (fault != NULL && access(path, R_OK) == 0) {
             const char *says = fault_sentence(results, fault);
-            printf("%s:%d: error: %s: %.*s\n", path, answer_line(path, task->id),
-                   text_of(fault, "id"), (int)strcspn(says, "\n"), says);
+            printf("%s%s:%d: error: %s: %.*s\n", n_told++ == 0 ? "\n" : "", path,
+                   answer_line(path, task->id), text_of(fault, "id"), (int)strcspn(says, "\n"),
+                   says);
         }
     }
 }

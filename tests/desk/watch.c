@@ -12,7 +12,7 @@
 #include "path.h"
 #include "stats.h"
 #include "tell.h"
-#include "watch_round.h"
+#include "watch_tell.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -22,6 +22,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/signalfd.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -167,6 +168,17 @@ static int lock_take(const Watch *watch)
     return -1;
 }
 
+// A folder for the solution's answers to this watch's scenes, which are asked for again and again.
+// Those of an earlier watch may be another grader's.
+static void answers_begin(const Watch *watch, const char *name)
+{
+    char path[PATH_MAX];
+    path_make(path, "%s/%s", watch->look.folder, name);
+    mkdir(path, 0777);
+    path_make(path, "%s/%s/%s", watch->look.folder, name, watch->seed);
+    unlink(path);
+}
+
 int watch_run(const Desk *desk)
 {
     static Watch watch;
@@ -180,6 +192,8 @@ int watch_run(const Desk *desk)
     if (lock < 0) {
         return -1;
     }
+    answers_begin(&watch, "answers");
+    answers_begin(&watch, "native-answers");
     watch.news = (News){.look = &watch.look, .said = strdup(""), .changes = strdup("")};
     sigemptyset(&set);
     sigaddset(&set, SIGINT), sigaddset(&set, SIGTERM), sigaddset(&set, SIGHUP),

@@ -1,4 +1,4 @@
-// What happens in a round, and what is told of it (see watch_round.h). Used by watch.c.
+// What happens in a round (see watch_round.h). Used by watch.c. Read next: watch_tell.h.
 #include "watch_round.h"
 
 #include "message.h"
@@ -6,74 +6,19 @@
 #include "record.h"
 #include "results.h"
 #include "stats.h"
-#include "tell.h"
+#include "watch_tell.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-// ---- Telling ------------------------------------------------------------------------------------
+// The grader's exit status.
+enum { GRADED_FULL = 0, GRADED_BELOW = 1 };
 
-void keys_print(const Watch *watch)
-{
-    printf("   h hint   g grade with new scenes   %sEnter again   q quit\n",
-           look_can_be_followed(watch->desk) ? "p first wrong pixel   " : "");
-    fflush(stdout);
-}
-
-// Put a text in the place of one that is owned.
-static void replace(char **text, char *by)
-{
-    free(*text);
-    *text = by;
-}
-
-void watch_publish(Watch *watch, char *state)
-{
-    char report[PATH_MAX];
-    replace(&watch->news.state, state);
-    watch->news.number++;
-    path_make(report, "../grade/%.2s/report.html", watch->desk->lab->lab);
-    watch_page_write(&watch->news, report);
-}
-
-// Print words of a program, each line under the round's.
-static void said_print(const char *said)
-{
-    for (const char *line = said; *line != '\0';) {
-        const int length = (int)strcspn(line, "\n");
-        printf("   %.*s\n", length, line);
-        line += length + (line[length] == '\n');
-    }
-}
-
-// Keep of what was said the compiler's words: make's own lines are no news.
-static void keep_compilers_words(char *said)
-{
-    static const char *const own[] = {"make", "  compile ", "  link "};
-    char *kept = said;
-    for (const char *line = said; *line != '\0';) {
-        const size_t length = strcspn(line, "\n") + (strchr(line, '\n') != NULL);
-        int is_own = 0;
-        for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
-            is_own |= strncmp(line, own[i], strlen(own[i])) == 0;
-        }
-        if (!is_own) {
-            memmove(kept, line, length);
-            kept += length;
-        }
-        line += length;
-    }
-    *kept = '\0';
-}
+// Processor time without a driver: a right answer takes a tenth of it.
+#define NATIVE_SECONDS "2"
 
 // ---- Steps --------------------------------------------------------------------------------------
-
-static void start(Watch *watch, Step step, char *const words[])
-{
-    fflush(stdout);
-    watch->step = child_start(&watch->child, words, CHILD_SHOWS) == 0 ? step : STEP_NONE;
-}
 
 static void start_compiling(Watch *watch)
 {
@@ -90,23 +35,36 @@ static void start_drawing(Watch *watch)
     watch->step = look_start_drawing(&watch->look, &watch->child) == 0 ? STEP_DRAWING : STEP_NONE;
 }
 
-static void start_grading(Watch *watch, int is_everything)
+// Grade what is saved, with the scenes of this watch or, for everything, with new ones.
+//   folder   of what to grade with: the build folder, or the one without a driver
+static void start_grading(Watch *watch, const char *folder, int is_everything)
 {
-    char grade[PATH_MAX];
-    path_make(grade, "%s/tools/grade", watch->desk->build);
-    char *words[16] = {grade, "--build", (char *)watch->desk->build, "--lab",
-                       (char *)watch->desk->lab->lab};
+    const Desk *desk = watch->desk;
+    const int is_native = folder == desk->native;
+    char grade[PATH_MAX], answers[PATH_MAX];
+    path_make(grade, "%s/tools/grade", desk->build);
+    path_make(answers, "%s/%s", watch->look.folder, is_native ? "native-answers" : "answers");
+    char *words[20] = {grade, "--build", (char *)folder, "--lab", (char *)desk->lab->lab};
     int n = 5;
     if (!is_everything) {
-        words[n++] = "--first";
-        words[n++] = "--seed";
-        words[n++] = watch->seed;
+        char *const kept[] = {"--first", "--seed", watch->seed, "--answers", answers};
+        memcpy(words + n, kept, sizeof kept);
+        n += sizeof kept / sizeof *kept;
     }
-    if (watch->desk->device != NULL) {
+    if (is_native) {
+        // Drawing runs it outside the sandbox, too.
+        char *const quick[] = {"--sandbox",    "none",         "--device",      "0",
+                               "--time-limit", NATIVE_SECONDS, "--verdict-only"};
+        memcpy(words + n, quick, sizeof quick);
+    } else if (desk->device != NULL) {
         words[n++] = "--device";
-        words[n++] = (char *)watch->desk->device;
+        words[n++] = (char *)desk->device;
     }
-    start(watch, STEP_GRADING, words);
+    fflush(stdout);
+    const ChildOutput output = is_native || watch->is_judged ? CHILD_IS_READ : CHILD_SHOWS;
+    watch->step = child_start(&watch->child, words, output) != 0 ? STEP_NONE
+                  : is_native                                    ? STEP_JUDGING
+                                                                 : STEP_GRADING;
 }
 
 static void start_pixel(Watch *watch)
@@ -117,7 +75,8 @@ static void start_pixel(Watch *watch)
     char *options = message_new("OPTIONS=%s", look_options(&watch->look));
     char *words[] = {
         (char *)watch->desk->make, "-s", "--no-print-directory", "pixel", lab, at, options, NULL};
-    start(watch, STEP_ASKED, words);
+    fflush(stdout);
+    watch->step = child_start(&watch->child, words, CHILD_SHOWS) == 0 ? STEP_ASKED : STEP_NONE;
     free(lab);
     free(at);
     free(options);
@@ -136,19 +95,20 @@ static void round_head_print(Watch *watch, const char *why)
 void round_begin(Watch *watch, const char *why)
 {
     round_head_print(watch, why);
-    replace(&watch->news.said, strdup(""));
-    replace(&watch->news.changes, strdup(""));
-    replace(&watch->news.command, NULL);
+    text_replace(&watch->news.said, strdup(""));
+    text_replace(&watch->news.changes, strdup(""));
+    text_replace(&watch->news.command, NULL);
+    watch->look.is_older = 1;  // the picture, until it is drawn anew
+    watch->is_judged = 0;
     watch_publish(watch, message_new("%s: compiling", why));
-    start_compiling(watch);
+    if (watch->desk->native != NULL && !watch->has_no_native) {
+        start_grading(watch, watch->desk->native, 0);
+    } else {
+        start_compiling(watch);
+    }
 }
 
 // ---- What came of a step ------------------------------------------------------------------------
-
-static double seconds_of_round(const Watch *watch)
-{
-    return (stats_clock_ms() - watch->round_ms) / 1000;
-}
 
 // The words are the compiler's, about a host file or a kernel. They are the news: a grading would
 // only say them again.
@@ -157,7 +117,7 @@ static void tell_uncompiled(Watch *watch)
     watch->look.is_older = 1;
     printf("   does not compile (%.1f s)\n", seconds_of_round(watch));
     said_print(watch->child.said);
-    replace(&watch->news.said, strdup(watch->child.said));
+    text_replace(&watch->news.said, strdup(watch->child.said));
     watch_publish(watch, message_new("does not compile: not graded until it does"));
     watch->step = STEP_NONE;
     keys_print(watch);
@@ -190,7 +150,7 @@ static void drawing_ended(Watch *watch, int status, const char *late)
     } else if (status != 0) {
         told = message_new("compiles, but drawing failed%s", status >= 128 ? ": it crashed" : "");
         said_print(watch->child.said);
-        replace(&watch->news.said, strdup(watch->child.said));
+        text_replace(&watch->news.said, strdup(watch->child.said));
     } else {
         look_compare(look);
         told =
@@ -204,67 +164,82 @@ static void drawing_ended(Watch *watch, int status, const char *late)
                       look->difference.first_y);
     }
     printf("   %s (%.1f s)\n", told, seconds_of_round(watch));
-    replace(&watch->news.command, look_command(look));
+    text_replace(&watch->news.command, look_command(look));
     watch_publish(watch, message_new("%s; grading", told));
     free(told);
-    start_grading(watch, 0);
+    start_grading(watch, watch->desk->build, 0);
 }
 
-// Add what one check gained or lost to a stream.
-static void change_write(void *context, const json_t *check, int difference)
+// Judged without a driver: what compiles so is told at once, and the driver's verdict comes later.
+// Else nothing is told, as the driver may know more of OpenCL; and where grading itself failed, it
+// is not tried again.
+static void judging_ended(Watch *watch, int status)
 {
-    fprintf((FILE *)context, "%+4d  %s: %s\n", difference, text_of(check, "id"),
-            text_of(check, "title"));
+    char path[PATH_MAX];
+    path_make(path, "%s/grade/%.2s/results.json", watch->desk->native, watch->desk->lab->lab);
+    json_t *now = status <= GRADED_BELOW ? results_load(path) : NULL;
+    watch->has_no_native = status > GRADED_BELOW;
+    if (now != NULL && results_are_of_compiled(now)) {
+        printf("%s", watch->child.said);
+        verdict_take(watch, now, "the last verdict");
+        watch->is_judged = 1;
+        printf("\n   judged in %.1f s; now with %s\n", seconds_of_round(watch), driver_name(watch));
+        fflush(stdout);
+        watch_publish(watch, message_new("judged in %.1f s; now with %s", seconds_of_round(watch),
+                                         driver_name(watch)));
+    } else {
+        json_decref(now);
+    }
+    start_compiling(watch);
+}
+
+static void change_pass_over(void *context, const json_t *check, int difference)
+{
+    (void)context, (void)check, (void)difference;
+}
+
+// The driver's verdict counts: it is told where no other was, or that was another one.
+static void grading_told(Watch *watch, json_t *now)
+{
+    News *news = &watch->news;
+    int is_same = 0;
+    if (watch->is_judged) {
+        is_same = results_compare(news->results, now, change_pass_over, NULL) == 0;
+        printf(is_same ? "   %s says the same (%.1f s)\n"
+                       : "   %s judges otherwise, and that counts (%.1f s):\n\n",
+               driver_name(watch), seconds_of_round(watch));
+    }
+    if (is_same) {
+        json_decref(news->results);
+        news->results = now;
+        return;
+    }
+    printf("%s", watch->child.said);  // nothing, where it was shown while it ran
+    verdict_take(watch, now, watch->is_judged ? "the verdict above" : "the last verdict");
 }
 
 static void grading_ended(Watch *watch, int status)
 {
-    enum { FULL_MARKS = 0, BELOW = 1 };
     News *news = &watch->news;
-    json_t *now = status <= BELOW ? results_load(watch->results) : NULL;
+    json_t *now = status <= GRADED_BELOW ? results_load(watch->results) : NULL;
     watch->step = STEP_NONE;
     if (now == NULL) {
+        printf("%s", watch->child.said);
         watch_publish(watch, message_new("not graded: see the terminal"));
         keys_print(watch);
         return;
     }
-    json_t *before = news->results;
-    news->results = now;
+    grading_told(watch, now);
     record_note(now);
-    char *changes = NULL;
-    size_t length = 0;
-    FILE *text = open_memstream(&changes, &length);
-    if (text != NULL && before != NULL) {
-        results_compare(before, now, change_write, text);
-    }
-    json_decref(before);
-    if (text != NULL) {
-        fclose(text);
-        replace(&watch->news.changes, changes);
-    }
-    if (news->n_verdicts == NEWS_MOST_VERDICTS) {
-        memmove(news->verdicts, news->verdicts + 1, sizeof news->verdicts - sizeof *news->verdicts);
-        news->n_verdicts--;
-    }
-    news->verdicts[news->n_verdicts++] =
-        (Verdict){(stats_clock_ms() - watch->start_ms) / 1000, number_of(now, "score")};
-    if (watch->news.changes[0] != '\0') {
-        printf("\n   since the last verdict\n");
-        said_print(watch->news.changes);
-    }
     // A picture without an answer is no riddle.
     if (fault_is_unanswered(results_first_fault(now))) {
-        replace(&watch->news.command, NULL);
+        text_replace(&news->command, NULL);
     }
-    if (results_first_fault(now) != NULL) {
-        printf("\n");
-        tell_places(watch->desk->lab, now);
-    }
-    if (watch->news.command != NULL) {
-        printf("\n   see why: %s\n", watch->news.command);
+    if (news->command != NULL) {
+        printf("\n   see why: %s\n", news->command);
     }
     watch_publish(watch,
-                  message_new(status == FULL_MARKS ? "every point, in %.1f s" : "graded in %.1f s",
+                  message_new(status == GRADED_FULL ? "every point, in %.1f s" : "graded in %.1f s",
                               seconds_of_round(watch)));
     printf("\n");
     keys_print(watch);
@@ -273,6 +248,9 @@ static void grading_ended(Watch *watch, int status)
 static void step_ended(Watch *watch, int status)
 {
     switch (watch->step) {
+    case STEP_JUDGING:
+        judging_ended(watch, status);
+        break;
     case STEP_COMPILING:
         compiling_ended(watch, status);
         break;
@@ -304,7 +282,8 @@ void round_go_on(Watch *watch)
 void round_grade_anew(Watch *watch)
 {
     round_head_print(watch, "with new scenes; saves are graded with the others again");
-    start_grading(watch, 1);
+    watch->is_judged = 0;
+    start_grading(watch, watch->desk->build, 1);
 }
 
 void round_follow_pixel(Watch *watch)

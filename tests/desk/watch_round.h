@@ -1,6 +1,7 @@
-// One round of the watch: compile, draw, grade; and what is told of each.
+// One round of the watch: judge without a driver, compile, draw, grade; and what is told of each.
 //
-// One command runs at a time. Read next: look.h, watch_page.h.
+// Judging without a driver (tests/native) takes half a second, and the verdict of the driver is told
+// only if it is another one. Where that cannot be, a round begins with compiling. One command runs at a time. Read next: look.h, watch_tell.h.
 #ifndef DESK_WATCH_ROUND_H
 #define DESK_WATCH_ROUND_H
 
@@ -10,7 +11,14 @@
 #include "saved.h"
 #include "watch_page.h"
 
-typedef enum Step { STEP_NONE, STEP_COMPILING, STEP_DRAWING, STEP_GRADING, STEP_ASKED } Step;
+typedef enum Step {
+    STEP_NONE,
+    STEP_JUDGING,  // without a driver
+    STEP_COMPILING,
+    STEP_DRAWING,
+    STEP_GRADING,
+    STEP_ASKED
+} Step;
 
 typedef struct Watch {
     const Desk *desk;
@@ -22,6 +30,8 @@ typedef struct Watch {
     SavedFiles taken;        // that the last round began with
     SavedFiles built;        // that the program was made of
     Step step;
+    int is_judged;      // in this round, without a driver: news.results is that
+    int has_no_native;  // it cannot be done here
     Child child;
     News news;
     char keys[8];  // that wait for the round's end
@@ -42,11 +52,5 @@ void round_follow_pixel(Watch *watch);
 // End a drawing that takes too long, and go on to the next step when one has ended. Call this every
 // now and then.
 void round_go_on(Watch *watch);
-
-// Tell the page. `state` is one line, and becomes the news'.
-void watch_publish(Watch *watch, char *state);
-
-// The keys that the watch obeys when nothing runs.
-void keys_print(const Watch *watch);
 
 #endif

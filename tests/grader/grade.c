@@ -170,8 +170,8 @@ static int has_full_marks(const Grading *grading)
 static void run_race(Grading *grading)
 {
     Session *session = &grading->session;
-    if (session->manifest.leaderboard != NULL && has_full_marks(grading) &&
-        grading->build_log == NULL && grading->whole.trouble == NULL &&
+    if (!session->settings->has_no_report && session->manifest.leaderboard != NULL &&
+        has_full_marks(grading) && grading->build_log == NULL && grading->whole.trouble == NULL &&
         allowance_left(&session->allowance) > 0) {
         grading->result.leaderboard = session_race(session, &grading->whole);
     }
@@ -267,6 +267,9 @@ static int grade(Grading *grading, const Settings *settings)
     result_drop_off(&grading->result);
     add_up_score(&grading->result);
     add_advice(grading);
+    if (settings->has_no_report) {
+        return 0;
+    }
     const Answers answers = {grading->whole.number, &grading->whole.answers};
     const int result = judge_add_pictures(&session->judge, answers, &grading->result);
     result_hide_pictures(&grading->result);

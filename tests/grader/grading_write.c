@@ -71,7 +71,9 @@ int grading_tell(const Grading *grading, const char *output, ReportTold told)
     if (folders_make(output) != 0) {
         return -1;
     }
-    report_text(stdout, &grading->session.manifest, &grading->result, told, isatty(STDOUT_FILENO));
+    // The watch shows on a terminal what it reads through a pipe (bixense.com/clicolors).
+    const int colours = isatty(STDOUT_FILENO) || getenv("CLICOLOR_FORCE") != NULL;
+    report_text(stdout, &grading->session.manifest, &grading->result, told, colours);
     return 0;
 }
 
@@ -82,6 +84,9 @@ int grading_write(const Grading *grading, const char *output)
     path_make(path, "%s/results.json", output);
     if (report_json(path, manifest, &grading->result) != 0) {
         return -1;
+    }
+    if (grading->session.settings->has_no_report) {
+        return 0;
     }
     path_make(path, "%s/pictures.json", output);
     if (report_pictures_json(path, &grading->result) != 0) {

@@ -64,6 +64,8 @@ static const OptionRow ROWS[] = {
                 "$" SANDBOX_VARIABLE " sets another"},
     {"build", "FOLDER", OPTION_TEXT, PLACE(settings.build),
      .meaning = "where probes and libraries are (default: build)"},
+    {"verdict-only", NULL, OPTION_FLAG, PLACE(settings.has_no_report),
+     .meaning = "write results.json only: no report, no pictures, no race"},
     {"answers", "FOLDER", OPTION_TEXT, PLACE(settings.kept_answers),
      .meaning = "keep the solution's answers there, for one lab and one device"},
     {"list-checks", NULL, OPTION_FLAG, PLACE(settings.list_checks),

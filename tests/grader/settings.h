@@ -13,6 +13,7 @@ typedef struct Settings {
     char output[PATH_MAX];      // a folder for the reports
     const char *student;        // whose it is, for the reports; NULL: they name the submission
     const char *task;           // the one that stdout tells of; NULL: see tells_first
+    int has_no_report;          // only results.json is written
     int tells_first;            // stdout tells of the first task that failed, else of all
     const char *manifest;       // a lab.json with an instructor's own points; NULL: the lab's
     const char *build;          // where the probes are

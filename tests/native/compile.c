@@ -18,7 +18,10 @@
 
 // NATIVE_CACHE and NATIVE_HEADER are from the makefile: where libraries are kept, and kernels.h.
 
+// Which clang it is may come from the makefile, too.
+#ifndef CLANG
 #define CLANG "/usr/bin/clang"
+#endif
 
 // gcc's own preprocessor: clang takes longer to begin than this to end.
 #define PREPROCESS                                                                                 \

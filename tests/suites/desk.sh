@@ -6,7 +6,12 @@ set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
 . tests/tap.sh
 editor_tasks=$PWD/.vscode/tasks.json
+native=$PWD/${BUILD:-build}/native
 . tests/course_copy.sh
+# What judges without a driver; not the kernels that are kept there.
+mkdir build/native
+cp -pR "$native/probes" "$native/libcommon.a" build/native
+for part in tools earlier no_macros.h; do ln -s ../$part build/native/$part; done
 # Other users may enter, as the sandbox's is somebody else.
 chmod 711 "$scratch"
 mkdir -m 711 "$scratch/work"
@@ -59,7 +64,7 @@ rm progress.json
 
 mkfifo keys
 log=$PWD/watch.log
-build/tools/desk watch --lab "$lab" <keys >"$log" 2>&1 &
+build/tools/desk watch --lab "$lab" --native build/native <keys >"$log" 2>&1 &
 watch=$!
 exec 3>keys
 trap 'kill $watch 2>/dev/null; rm -rf "$scratch"' EXIT
@@ -86,6 +91,8 @@ check "it begins with a verdict" last "Score 0/100"
 saved by_renaming
 check "a save by renaming is seen, and its picture is right" last "the picture is as it should be"
 check "it is graded" last "Score 100/100"
+check "without a driver first" last "   judged in "
+check "and PoCL says the same" last "   PoCL says the same"
 check "what was gained is told" last "+15  leaf-random"
 check "the page shows it" grep -q '100 <small>of 100' build/watch/index.html
 heart_done=$(rounds)
@@ -112,7 +119,7 @@ check "what was lost is told" last "-15  leaf-random"
 check "a wrong pixel can be followed" last "see why: make pixel LAB=03 AT="
 # The first line of an answer, of which the editor is told.
 answer=$(awk '/ TASK leaf_loop/ { inside = 1 } inside && !/^ *\/\/ / { print NR; exit }' "$file")
-tail -n 12 "$log" >"$scratch/fault"
+tail -n 16 "$log" >"$scratch/fault"
 check "so can its answer in VS Code" found_by_editor watch "$scratch/fault" \
     "$file|$answer|-|error|leaf-random: $(jq -r '.checks[] | select(.id == "leaf-random") | .cause // .message' build/grade/03/results.json)"
 check "the page has the difference" grep -q 'difference.png' build/watch/index.html
@@ -124,6 +131,23 @@ two_wrong() { sed -e 's/i <= n_circles/i < n_circles/' -e 's/x < box.maxX/x <= b
 saved two_wrong
 check "a later task that failed, too, is marked as the first one" \
     [ "$(grep -o 'check failed' build/watch/index.html | wc -l)" -eq 2 ]
+
+# What only one of the two sees: the header of the native runtime, a function that it lacks.
+wrong_natively() { sed 's/i <= n_circles/i < n_circles + (NATIVELY == 0)/' "$right" | sed '/^#include "work.h"/a\
+#ifdef NATIVE_KERNELS_H\
+#define NATIVELY 1\
+#else\
+#define NATIVELY 0\
+#endif' >"$file"; }
+saved wrong_natively
+check "where PoCL judges otherwise, that is said" last "PoCL judges otherwise, and that counts"
+check "with what it found" last "Score 100/100"
+check "and what is another verdict" last "+15  leaf-random"
+check "and it counts" says "100/100" make -s progress
+lacking() { sed 's/const int y = get_global_id(1);/& mem_fence(CLK_GLOBAL_MEM_FENCE);/' "$right" >"$file"; }
+saved lacking
+check "what cannot be compiled without a driver is graded by PoCL" last "Score 100/100"
+check "without a word" sh -c "! tail -n 20 '$log' | grep -e 'judged in' -e 'PoCL' -e symbol"
 
 # Two saves, the second while the first one is graded: the last one has its verdict.
 before=$(offers)
