@@ -38,7 +38,7 @@ static NextChildJob roll_child(Random *random, int meets_both)
     const float t_split = roll_t_split(random, job.t_min, job.t_max, meets_both);
     job.node.split_pos = job.origin + t_split / job.inverse;
     job.node.split_axis = (u32)random_integer(random, 0, 2);
-    job.node.first = (u32)random_integer(random, 3, 1000);
+    job.node.first = (u32)random_integer(random, 3, one_in(random, 2) ? 1000 : 100000);
     job.todo = random_stack_with_room(random);
     stack_begin_at(&job.todo, job.t_max);
     return job;

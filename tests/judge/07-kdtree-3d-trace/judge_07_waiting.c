@@ -9,7 +9,7 @@
 static NextWaitingJob roll_waiting(Random *random)
 {
     NextWaitingJob job = {.t = INFINITY, .sphere = UNTOUCHED};
-    job.at.node = (u32)random_integer(random, 3, 1000);
+    job.at.node = (u32)random_integer(random, 3, 100000);
     job.at.t_min = random_quarters(random, 1, 16);
     job.at.t_max = job.at.t_min + random_quarters(random, 1, 16);
     const float t_min = job.at.t_min, t_max = job.at.t_max;
