@@ -28,6 +28,15 @@ static float roll_t_split(Random *random, float t_min, float t_max, int is_insid
     }
 }
 
+// Make all distances `factor` times as long, a power of two, by a direction that is as short.
+static void scale(NextChildJob *job, float factor)
+{
+    job->inverse *= factor;
+    job->t_min *= factor;
+    job->t_max *= factor;
+    stack_scale(&job->todo, factor);
+}
+
 static NextChildJob roll_child(Random *random, int meets_both)
 {
     NextChildJob job = {.origin = random_quarters(random, -16, 16)};
@@ -41,6 +50,7 @@ static NextChildJob roll_child(Random *random, int meets_both)
     job.node.first = (u32)random_integer(random, 3, one_in(random, 2) ? 1000 : 100000);
     job.todo = random_stack_with_room(random);
     stack_begin_at(&job.todo, job.t_max);
+    scale(&job, (float)(1 << (one_in(random, 2) ? random_integer(random, 1, 10) : 0)));
     return job;
 }
 
