@@ -207,6 +207,25 @@ static int has_ended_whole(const Grading *grading, int t)
     return !is_finished(grading) && task != NULL && strcmp(task, task_of(grading, t)->id) == 0;
 }
 
+// Is task t to blame for what a check found, as one of its own checks failed in the whole, and none
+// of the answers which that check needs is wrong? It may pass alone all the same, where it gets
+// other inputs. No two tasks excuse each other: the task that asks is none of those.
+static int is_to_blame(const Grading *grading, int t, const char *asking, const int is_task_wrong[])
+{
+    const Manifest *manifest = &grading->session.manifest;
+    int is_found = 0;
+    for (int i = 0; i < grading->result.n_checks; i++) {
+        const Check *check = &grading->session.judge.checks[i];
+        int is_excused = check_needs(check, "*") || check_needs(check, asking);
+        for (int other = 0; other < manifest->n_tasks; other++) {
+            is_excused |= is_task_wrong[other] && check_needs(check, manifest->tasks[other].id);
+        }
+        is_found |= strcmp(check->task, task_of(grading, t)->id) == 0 && !is_excused &&
+                    grading->result.checks[i].status == CHECK_FAILED;
+    }
+    return is_found;
+}
+
 // May a check that did not pass in the whole count as passed by what its answer does alone?
 static int may_count(const Grading *grading, int i, const int is_task_wrong[])
 {
@@ -215,8 +234,9 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
     int is_others = !finished && !check_needs_others(check);
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
         const char *other = task_of(grading, t)->id;
-        is_others |= is_task_wrong[t] && strcmp(other, check->task) != 0 &&
-                     (!finished || check_needs(check, other));
+        is_others |=
+            strcmp(other, check->task) != 0 && (!finished || check_needs(check, other)) &&
+            (is_task_wrong[t] || (finished && is_to_blame(grading, t, check->task, is_task_wrong)));
     }
     return is_others;
 }

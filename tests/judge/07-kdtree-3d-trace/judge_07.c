@@ -17,7 +17,11 @@ static int roll(void *pointer, Random *random)
 {
     Job07 *job = pointer;
     roll_inputs_07(random, &job->inputs);
-    return roll_scenes_07(random, job->scenes);
+    if (roll_scenes_07(random, job->scenes) != 0) {
+        return -1;
+    }
+    inputs_07_add_sent(random, job->scenes, &job->inputs);
+    return 0;
 }
 
 // ---- Hits ---------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 // What lab 07's judge asks of a submission: inputs of its functions, and scenes with their trees.
-// Inputs are rolled in judge_07_inputs.c; those that stand in every job are in judge_07_edges.c.
+// Inputs are rolled in judge_07_inputs.c, or are what whole pictures send (judge_07_sent.c); those
+// that stand in every job are in judge_07_edges.c.
 // They are judged in judge_07_clip.c, judge_07_side.c, judge_07_planes.c, judge_07_leaf.c and
 // judge_07_once.c; those of the search's two steps are rolled and judged in judge_07_children.c and
 // judge_07_waiting.c. Scenes are rolled in judge_07_scenes.c and judged in judge_07.c.
@@ -14,13 +15,17 @@
 
 // ---- Functions --------------------------------------------------------------------------------
 
+// How many inputs of each range are at most what whole pictures send: the first ones; of leaves
+// those behind the first.
+enum { N_SENT_CLIPS = 400, N_SENT_SIDES = 400, N_SENT_PLANES = 1000, N_SENT_LEAVES = 200 };
+
 // How many inputs each range has; a function's ranges follow one another.
 enum {
-    N_CLIP_INPUTS = 500,   // 4 ranges, see ClipRange
-    N_SIDE_INPUTS = 400,   // 2 ranges: the eye beside the plane, mostly on it
-    N_PLANE_INPUTS = 500,  // 3 ranges: the plane ahead, behind the eye, along the ray
-    N_LEAF_INPUTS = 240,   // 2 ranges: spheres of different places, some of them twice
-    N_CHILD_INPUTS = 300,  // 2 ranges: where one child is met, and where both are
+    N_CLIP_INPUTS = N_SENT_CLIPS + 500,    // 4 ranges, see ClipRange
+    N_SIDE_INPUTS = N_SENT_SIDES + 400,    // 2: the eye beside the plane, mostly on it
+    N_PLANE_INPUTS = N_SENT_PLANES + 500,  // 3: the plane ahead, behind the eye, along the ray
+    N_LEAF_INPUTS = N_SENT_LEAVES + 240,   // 2: spheres of different places, some of them twice
+    N_CHILD_INPUTS = 300,                  // 2 ranges: where one child is met, and where both are
     N_WAITING_INPUTS = 400,
     LEAF_MAX_SPHERES = 12,
     N_LEAVES = 2 * N_LEAF_INPUTS,
@@ -97,6 +102,9 @@ enum {
 
 // Roll the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
 int roll_scenes_07(Random *random, JobScene3D scenes[N_SCENES]);
+
+// Put what the search sends for whole pictures among the inputs, at the beginning of each range.
+void inputs_07_add_sent(Random *random, const JobScene3D scenes[N_SCENES], Inputs07 *inputs);
 
 // The scene with strangers. Returns 0, or -1 after one message.
 int roll_strangers_07(Random *random, JobScene3D *scene);

@@ -28,6 +28,15 @@ static float roll_t_split(Random *random, float t_min, float t_max, int is_insid
     }
 }
 
+// Make all distances `factor` times as long, a power of two, by a direction that is as short.
+static void scale(NextChildJob *job, float factor)
+{
+    job->inverse *= factor;
+    job->t_min *= factor;
+    job->t_max *= factor;
+    stack_scale(&job->todo, factor);
+}
+
 static NextChildJob roll_child(Random *random, int meets_both)
 {
     NextChildJob job = {.origin = random_quarters(random, -16, 16)};
@@ -38,9 +47,10 @@ static NextChildJob roll_child(Random *random, int meets_both)
     const float t_split = roll_t_split(random, job.t_min, job.t_max, meets_both);
     job.node.split_pos = job.origin + t_split / job.inverse;
     job.node.split_axis = (u32)random_integer(random, 0, 2);
-    job.node.first = (u32)random_integer(random, 3, 1000);
+    job.node.first = (u32)random_integer(random, 3, one_in(random, 2) ? 1000 : 100000);
     job.todo = random_stack_with_room(random);
     stack_begin_at(&job.todo, job.t_max);
+    scale(&job, (float)(1 << (one_in(random, 2) ? random_integer(random, 1, 10) : 0)));
     return job;
 }
 

@@ -9,7 +9,7 @@
 static NextWaitingJob roll_waiting(Random *random)
 {
     NextWaitingJob job = {.t = INFINITY, .sphere = UNTOUCHED};
-    job.at.node = (u32)random_integer(random, 3, 1000);
+    job.at.node = (u32)random_integer(random, 3, 100000);
     job.at.t_min = random_quarters(random, 1, 16);
     job.at.t_max = job.at.t_min + random_quarters(random, 1, 16);
     const float t_min = job.at.t_min, t_max = job.at.t_max;
@@ -26,6 +26,13 @@ static NextWaitingJob roll_waiting(Random *random)
     job.todo =
         random_stack(random, 0, is_empty ? 0 : (u32)random_integer(random, 1, STACK_ENTRIES));
     stack_begin_at(&job.todo, t_max);
+    // Scenes are of any size: a power of two rounds nothing.
+    const float factor =
+        random_integer(random, 0, 1) == 0 ? 1 : ldexpf(1, (int)random_integer(random, -6, 12));
+    job.t *= factor;
+    job.at.t_min *= factor;
+    job.at.t_max *= factor;
+    stack_scale(&job.todo, factor);
     return job;
 }
 

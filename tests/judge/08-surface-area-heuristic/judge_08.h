@@ -9,15 +9,16 @@
 #include "tree3d_judge.h"
 
 // Inputs of the functions, each in the ranges of its checks. The last of a range are the same with
-// every seed.
-enum { N_BOXES = 200, N_FLAT = 60, N_AREAS = N_BOXES + N_FLAT };
-enum { N_PLANES = 300, N_COST_EDGES = 100, N_COSTS = N_PLANES + N_COST_EDGES };
+// every seed; the first of areas and costs are what the building of the trees sends.
+enum { N_SENT = 200 };
+enum { N_BOXES = N_SENT + 200, N_FLAT = 60, N_AREAS = N_BOXES + N_FLAT };
+enum { N_PLANES = N_SENT + 300, N_COST_EDGES = 100, N_COSTS = N_PLANES + N_COST_EDGES };
 enum { N_CELLS = 120, N_TIES = 36, N_CELL_EDGES = 70, N_BESTS = N_CELLS + N_TIES + N_CELL_EDGES };
 enum { N_BY_COST = 300, N_BY_LIMITS = 200, N_DECISIONS = N_BY_COST + N_BY_LIMITS };
 
 // The most spheres of a node among the inputs of find_best_split; the last one has more. Between
 // them stand others, which its ids leave out.
-enum { MOST_IDS = 40, MANY_NODE = N_BESTS - 1, N_MANY_IDS = (1 << 16) + 300 };
+enum { MOST_IDS = 120, MANY_NODE = N_BESTS - 1, N_MANY_IDS = (1 << 16) + 300 };
 enum { N_BEST_IDS = MANY_NODE * MOST_IDS + N_MANY_IDS, N_BEST_SPHERES = 2 * N_BEST_IDS };
 
 enum { N_TREES = 11 };
@@ -36,6 +37,7 @@ typedef struct Job08 {
 // See judge.h.
 int roll_job_08(void *job, Random *random);
 int roll_scenes_08(Random *random, Job08 *job);  // and the expected trees; 0, or -1 after a message
+void add_sent_08(Random *random, Job08 *job);
 
 // The functions.
 extern const Function area_08, cost_08, best_08, decision_08;

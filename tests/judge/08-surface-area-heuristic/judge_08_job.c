@@ -143,7 +143,7 @@ static void roll_node(Random *random, Job08 *job, int i)
 {
     const BBox3D cell = roll_cell(random);
     begin_node(job, i, cell);
-    const int n = (int)random_integer(random, 2, MOST_IDS);
+    const int n = (int)random_integer(random, 2, i % 4 == 1 ? MOST_IDS : 40);
     const int share = i % 3 == 0 ? 4 : 1;
     const int max_radius = (int)random_integer(random, 1, 6);
     for (int j = 0; j < n; j++) {
@@ -361,5 +361,9 @@ int roll_job_08(void *pointer, Random *random)
     for (int i = 0; i < N_DECISIONS; i++) {
         job->decisions[i] = roll_decision(random, i);
     }
-    return roll_scenes_08(random, job);
+    if (roll_scenes_08(random, job) != 0) {
+        return -1;
+    }
+    add_sent_08(random, job);
+    return 0;
 }

@@ -19,6 +19,7 @@ static int roll(void *pointer, Random *random)
         return -1;
     }
     roll_lits_09(random, job);
+    add_calls_09(random, job);
     for (int k = 0; k < N_SCENES; k++) {
         job->scenes[k].lot = job->job.lot;
     }

@@ -14,13 +14,17 @@
 
 // ---- Functions --------------------------------------------------------------------------------
 
+// How many inputs are what whole pictures send (judge_09_calls.c): the first ones of a function; of
+// lit_color those of its last range.
+enum { N_SENT_CALLS = 200, N_SENT_BLOCKS = 100, N_SENT_LITS = 100 };
+
 // How many inputs each range has; a function's ranges follow one another.
 enum {
-    N_START_INPUTS = 300,   // 2 ranges: numbers of usual size, and of any
-    N_MIRROR_INPUTS = 300,  // 2 ranges: by lot, and along axes, head-on and grazing
-    N_SHADOW_RAY_INPUTS = 400,
-    N_BLOCK_INPUTS = 400,  // 2 ranges: by lot, and at the ends of the ray
-    N_LIT_INPUTS = 300,    // 3 ranges: one light, lights behind the surface, several
+    N_START_INPUTS = N_SENT_CALLS + 300,   // 2 ranges: numbers of usual size, and of any
+    N_MIRROR_INPUTS = N_SENT_CALLS + 300,  // 2: by lot, and along axes, head-on and grazing
+    N_SHADOW_RAY_INPUTS = N_SENT_CALLS + 400,
+    N_BLOCK_INPUTS = N_SENT_BLOCKS + 400,  // 2: by lot, and at the ends of the ray
+    N_LIT_INPUTS = N_SENT_LITS + 300,      // 3: one light, lights behind the surface, several
     N_BLOCKS = 2 * N_BLOCK_INPUTS,
     N_LITS = 3 * N_LIT_INPUTS,
     BLOCK_MAX_SPHERES = 8,
@@ -37,7 +41,8 @@ enum {
     N_DIM_LITS = 2,      // the last ones of the first range,
     N_GRAZING_LITS = 4,  // and of the second one: each with a light that is placed
     N_PLACED_LITS = N_DIM_LITS + N_GRAZING_LITS,
-    N_LIT_LIGHTS = N_DRAWN_LIGHTS + N_PLACED_LITS + 1,
+    N_SENT_LIGHTS = 200,  // of the scenes
+    N_LIT_LIGHTS = N_DRAWN_LIGHTS + N_PLACED_LITS + 1 + N_SENT_LIGHTS,
     N_EDGE_LITS = 8,          // the last ones of several lights: none, and many,
     MOST_LIT_LIGHTS = 300,    // the last one of all
     MOST_ALONE_LIGHTS = 4,    // of one input of lit_color that is tried alone,
@@ -143,6 +148,9 @@ void roll_starts_09(Random *random, Job09 *job);
 void roll_rays_09(Random *random, Job09 *job);
 void roll_blocks_09(Random *random, Job09 *job);
 void roll_lits_09(Random *random, Job09 *job);  // the scenes are rolled already
+
+// Put what the kernel sends for whole pictures among them.
+void add_calls_09(Random *random, Job09 *job);
 
 // ---- Alone ------------------------------------------------------------------------------------
 

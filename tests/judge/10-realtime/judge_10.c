@@ -23,7 +23,11 @@ static int roll(void *pointer, Random *random)
         return -1;
     }
     roll_rows_10(random, job);
-    return roll_circles_10(random, job);
+    if (roll_circles_10(random, job) != 0) {
+        return -1;
+    }
+    add_sent_10(random, job);
+    return 0;
 }
 
 static int write_scene(const void *job, int k, FILE *file)

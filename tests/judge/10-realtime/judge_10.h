@@ -14,12 +14,16 @@
 
 // ---- Functions --------------------------------------------------------------------------------
 
+// How many inputs of each range are at most what the kernels send for whole pictures
+// (judge_10_sent.c): the first ones.
+enum { N_SENT_PLANES = 300, N_SENT_CONES = 300, N_SENT_ROWS = 300 };
+
 // How many inputs each range has; a function's ranges follow one another.
 enum {
-    N_TILE_PLANE_INPUTS = 400,  // 3 ranges: see PlaneRange10
+    N_TILE_PLANE_INPUTS = N_SENT_PLANES + 400,  // 3 ranges: see PlaneRange10
     N_TILE_CHILD_INPUTS = 300,  // 2 ranges: where one child is met, and where both are
     N_TILE_WAITING_INPUTS = 400,
-    N_CONE_INPUTS = 400,  // 3 ranges: see ConeRange
+    N_CONE_INPUTS = N_SENT_CONES + 400,  // 3 ranges: see ConeRange
     N_TILE_PLANES = 3 * N_TILE_PLANE_INPUTS,
     N_TILE_CHILDREN = 2 * N_TILE_CHILD_INPUTS,
     N_CONES = 3 * N_CONE_INPUTS,
@@ -32,7 +36,7 @@ enum ConeRange { CONES_CLEAR, CONES_HAIR, CONES_EDGES };
 
 // Part A: rows that nothing is painted in yet, and rows that are painted in part.
 enum RowRange { ROWS_OPEN, ROWS_PAINTED, N_ROW_RANGES };
-enum { N_ROW_INPUTS = 200, N_ROWS_10 = N_ROW_RANGES * N_ROW_INPUTS };
+enum { N_ROW_INPUTS = N_SENT_ROWS + 200, N_ROWS_10 = N_ROW_RANGES * N_ROW_INPUTS };
 
 extern const Function tile_plane_10, tile_child_10, tile_end_10, tile_next_10, cone_10;
 extern const Function circle_row_10, tile_leaf_10, leaf_steps_10;
@@ -109,6 +113,12 @@ double cone_rounding_10(Vec3 centre, double size);
 float random_off_grid(Random *random);
 void roll_rows_10(Random *random, Job10 *job);
 int roll_circles_10(Random *random, Job10 *job);  // 0, or -1 after one message
+
+// Does float decide as double does for each pixel of a row, whichever way it rounds?
+int row_10_is_decided(const CircleRowJob *job);
+
+// Put what the kernels send for whole pictures among the inputs.
+void add_sent_10(Random *random, Job10 *job);
 
 // The leaf of circle tile i.
 u32 leaf_10_of_tile(const Job10 *job, int i);

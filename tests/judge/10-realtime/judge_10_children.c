@@ -74,9 +74,14 @@ static TileChildJob roll_child(Random *random, int meets_both)
     job.at.t_max = job.at.t_min + (one_in(random, 8) ? 0 : random_quarters(random, 1, 16));
     job.node.split_pos = one_in(random, 4) ? job.eye : random_quarters(random, -16, 16);
     job.node.split_axis = (u32)random_integer(random, 0, 2);
-    job.node.first = (u32)random_integer(random, 3, 1000);
+    job.node.first = (u32)random_integer(random, 3, one_in(random, 2) ? 1000 : 100000);
     job.todo = random_stack_with_room(random);
     roll_split(random, &job, meets_both);
+    // Scenes are of any size: a power of two rounds nothing.
+    const float factor = one_in(random, 2) ? 1 : ldexpf(1, (int)random_integer(random, -6, 10));
+    job.at.t_min *= factor, job.at.t_max *= factor;
+    job.split_low *= factor, job.split_high *= factor;
+    stack_scale(&job.todo, factor);
     return job;
 }
 

@@ -45,9 +45,8 @@ static int is_float(double value)
     return (double)(float)value == value;
 }
 
-// Does float decide as double does for each pixel, whichever way it rounds? There are three
-// operations, and at most 2^-24 of the sum comes from each.
-static int is_decided(const CircleRowJob *job)
+// There are three operations, and at most 2^-24 of the sum comes from each.
+int row_10_is_decided(const CircleRowJob *job)
 {
     const double dy_squared = (double)job->dy * (double)job->dy;
     int n_decided = 0;
@@ -107,7 +106,7 @@ static CircleRowJob roll_row(Random *random, enum RowRange range)
     CircleRowJob job;
     do {
         job = roll_any_row(random, range);
-    } while (!is_decided(&job));
+    } while (!row_10_is_decided(&job));
     return job;
 }
 

@@ -15,7 +15,7 @@
 // nowhere. Now and then many more wait on top that begin behind it, up to a stack that is full.
 static TileWaitingJob roll_waiting(Random *random)
 {
-    TileWaitingJob job = {.at = {(u32)random_integer(random, 3, 1000), 1, 2}};
+    TileWaitingJob job = {.at = {(u32)random_integer(random, 3, 100000), 1, 2}};
     // The leaf's part may reach far beyond what waits.
     job.at.t_max = one_in(random, 2) ? 2 : 100;
     const int is_empty = random_integer(random, 0, 5) == 0;
@@ -45,6 +45,11 @@ static TileWaitingJob roll_waiting(Random *random)
         const u32 room = TODO_SIZE - n;
         job.n_behind = one_in(random, 2) ? room : (u32)random_integer(random, 1, room);
     }
+    // Scenes are of any size: a power of two rounds nothing.
+    const float factor = one_in(random, 2) ? 1 : ldexpf(1, (int)random_integer(random, -6, 8));
+    job.farthest *= factor;
+    job.at.t_min *= factor, job.at.t_max *= factor;
+    stack_scale(&job.todo, factor);
     return job;
 }
 

@@ -45,6 +45,14 @@ void stack_begin_at(StackState *todo, float t)
     }
 }
 
+void stack_scale(StackState *todo, float factor)
+{
+    for (u32 i = 0; i < STACK_ENTRIES; i++) {
+        todo->upper[i].t_min *= factor;
+        todo->upper[i].t_max *= factor;
+    }
+}
+
 int same_entry(TodoEntry a, TodoEntry b)
 {
     return a.node == b.node && a.t_min == b.t_min && a.t_max == b.t_max;

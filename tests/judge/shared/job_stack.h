@@ -24,6 +24,9 @@ StackState random_stack_with_room(Random *random);
 // each other one where the part above it ends.
 void stack_begin_at(StackState *todo, float t);
 
+// Make all distances of a stack `factor` times as long.
+void stack_scale(StackState *todo, float factor);
+
 int same_entry(TodoEntry a, TodoEntry b);
 
 // Do the same nodes wait, as far as they are known? What lies above the top does not matter.
