@@ -416,6 +416,7 @@ static int try_together(Grading *grading)
     int n_saved = 0;
     own_folder(grading, folder);
     int result = answers_fill(&grading->session, "together", folder, &together);
+    together.is_again = grading->whole.is_endless;
     if (result == 0 && together.is_changed) {
         result = session_run(&grading->session, variants, 1);
     }
