@@ -80,9 +80,8 @@ git ls-files -- tests/scenes | copy
 # becomes of them in labs/.
 git ls-files -- tests/grader tests/desk tests/native ":(glob)tests/probes/*.[ch]" tests/probes/no_macros.sh "tests/probes/*/jobs_*.h" \
     "tests/probes/$lab" "tests/stand_ins/$lab" | sort -u | copy
-# memcheck, with the OpenCL that it runs kernels with; its known faults stay here.
-git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk ":(glob)tests/native/*.[ch]" \
-    tests/native/builtins.cl | copy
+# memcheck, which runs kernels natively, too; its known faults stay here.
+git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk | copy
 mkdir -p "$root/tests/skeletons/$lab"
 files=$(jq -er '.files[]' "$manifest")
 for file in $files; do

@@ -67,7 +67,7 @@ only_its_files() {
         -e '^tests/desk/' -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
         -e '^tests/probes/[^/]*/jobs_[0-9]*\.h$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge-[^/.]*$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
-        -e '^tests/native/[a-z_]*\.[ch]l*$' \
+        -e '^tests/native/' \
         -e '^tests/scenes/' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')
     [ -z "$strays" ] || { echo "not expected: $strays"; return 1; }
     grep -q '^.gitattributes$' "$scratch/files" || { echo "git may change its ends of lines"; return 1; }
