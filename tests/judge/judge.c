@@ -6,6 +6,7 @@
 #include "lot.h"
 #include "number.h"
 #include "one_way.h"
+#include "picture_looks.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -155,12 +156,49 @@ static Verdict judge_scenes(const Job *job, const JudgeCheck *check, const Secti
     return verdict;
 }
 
+// Is what a check says of a picture contradicted by the first wrong picture of another check of the
+// task? Then it is not what the task's answer does.
+static int is_contradicted(const Job *job, const JudgeCheck *check, const char *cause,
+                           const Sections *answers)
+{
+    const size_t n_prefix = strlen(IT_LOOKS);
+    int may_be = 1;
+    for (int i = 0; may_be && i < job->judge->n_checks; i++) {
+        const JudgeCheck *other = &job->judge->checks[i];
+        int is_right = other != check && other->scene == judge_picture &&
+                       strcmp(other->task, check->task) == 0;
+        for (int j = 0; is_right && j < other->range.n; j++) {
+            const int k = range_at(other->range, j);
+            const JobPicture *picture = job_picture(job, k);
+            const ProbeImage own = job_picture_answer(picture, k, answers);
+            is_right = own.pixels != NULL && picture_is_right(own, &picture->expected);
+            may_be = is_right || own.pixels == NULL || strncmp(cause, IT_LOOKS, n_prefix) != 0 ||
+                     picture_may_look(own, &picture->expected, cause + n_prefix);
+        }
+    }
+    return !may_be;
+}
+
+static Verdict judge_pictures(const Job *job, const JudgeCheck *check, const Sections *answers)
+{
+    Verdict verdict = judge_scenes(job, check, answers);
+    Diagnosis *diagnosis = &verdict.diagnosis;
+    if (verdict.kind == VERDICT_FAILED && diagnosis->cause != NULL &&
+        is_contradicted(job, check, diagnosis->cause, answers)) {
+        free(diagnosis->cause);
+        diagnosis->cause = NULL;
+        diagnosis->mistake = MISTAKE_NONE;
+    }
+    return verdict;
+}
+
 Verdict job_judge(const Job *job, int number, const Sections *answers)
 {
     const JudgeCheck *check = &job->judge->checks[number];
     return check->function != NULL ? function_judge(check->function, job, check->range, answers)
            : check->all != NULL    ? check->all(job, answers)
-                                   : judge_scenes(job, check, answers);
+           : check->scene == judge_picture ? judge_pictures(job, check, answers)
+                                           : judge_scenes(job, check, answers);
 }
 
 // Are the answers to every input of the functions right?

@@ -82,6 +82,7 @@ __attribute__((format(printf, 2, 3))) Diagnosis diagnosis_silent(Silence silence
 Diagnosis diagnosis_of(char *found, Cause cause);
 
 // The same of what was seen in a scene: the cause is "it looks ..." as `looks` says.
+#define IT_LOOKS "it looks "
 Diagnosis diagnosis_seen(char *found, Cause looks, Evidence evidence);
 
 // The diagnosis with where it was found before it: "random scene: pixel (3, 4): ...". Takes it

@@ -131,12 +131,35 @@ static Verdict judge_leaf_map(const void *job, int k, const Sections *answers)
     return verdict;
 }
 
+// Does a pixel of the leaf map show a circle that the function takes nowhere?
+static int shows_untaken(const Job03 *job, const Sections *answers)
+{
+    const JobPicture *picture = &job->scenes[LEAF_MAP].picture;
+    const ProbeImage own = job_picture_answer(picture, LEAF_MAP, answers);
+    int i = 0;
+    while (own.pixels != NULL && i < expected_n_pixels(&picture->expected) &&
+           pixel_pair(own, &picture->expected, i).own[IMAGE_CHANNELS - 1] != UNTAKEN) {
+        i++;
+    }
+    return own.pixels != NULL && i < expected_n_pixels(&picture->expected);
+}
+
 // The kernel could write down any count: the leaf map shows whether other leaves' circles were
-// asked.
+// asked, and whether they were tested by the function.
 static Verdict judge_leaf_works(const void *job, const Sections *answers)
 {
-    const Verdict verdict = judge_leaf_work_03(job, answers);
-    return verdict.kind == VERDICT_PASSED ? judge_picture(job, LEAF_MAP, answers) : verdict;
+    Verdict verdict = judge_leaf_work_03(job, answers);
+    if (verdict.kind == VERDICT_PASSED) {
+        verdict = judge_picture(job, LEAF_MAP, answers);
+    }
+    if (verdict.kind == VERDICT_FAILED && shows_untaken(job, answers)) {
+        char *found = verdict.diagnosis.found;
+        verdict.diagnosis.found = NULL;
+        diagnosis_free(&verdict.diagnosis);
+        verdict.diagnosis = diagnosis_of(
+            found, (Cause){.says = "circles were tested without a call of overlaps_N_Nearer"});
+    }
+    return verdict;
 }
 
 // ---- The judge ----------------------------------------------------------------------------------

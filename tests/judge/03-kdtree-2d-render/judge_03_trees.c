@@ -59,16 +59,19 @@ static BBox2D half_of(BBox2D box, int is_right)
     return box;
 }
 
-// Write the list of leaf `id` and one more circle, nearest of all, that covers everything in the
-// leaf's own colour.
+// Write the list of leaf `id` and two more circles that cover everything: one that is UNTAKEN,
+// nearest of all, and the nearest but that, in the leaf's own colour.
 static void colour_leaf(JobScene *scene, KdTree2D *map, u32 id, const u32 *list)
 {
-    const u32 circle = (u32)scene->scene.n_circles++;
+    const u32 untaken = (u32)scene->scene.n_circles, circle = untaken + 1;
+    scene->scene.n_circles += 2;
     map->nodes_Relations[id].circleMapOffset = map->n_map;
-    map->mapNode2Circles[map->n_map++] = list[0] + 1;
+    map->mapNode2Circles[map->n_map++] = list[0] + 2;
     memcpy(map->mapNode2Circles + map->n_map, list + 1, list[0] * sizeof *list);
     map->n_map += list[0];
+    map->mapNode2Circles[map->n_map++] = untaken;
     map->mapNode2Circles[map->n_map++] = circle;
+    scene->scene.circles[untaken] = (Circle){.radius = 100000, .depth = -2, .a = UNTAKEN};
     scene->scene.circles[circle] = (Circle){.radius = 100000,
                                             .depth = -1,
                                             .r = (float)(id % 16) / 16,
@@ -128,13 +131,13 @@ static int colour_leaves(JobScene *scene, u32 first_id)
     Scene2D *s = &scene->scene;
     const u32 n_leaves = scene->tree.n_nodes + N_BEFORE + N_BEHIND;
     KdTree2D map;
-    Circle *circles = realloc(s->circles, ((size_t)s->n_circles + n_leaves) * sizeof *circles);
+    Circle *circles = realloc(s->circles, ((size_t)s->n_circles + 2 * n_leaves) * sizeof *circles);
     if (circles == NULL) {
         complain("grade: no memory for a scene");
         return -1;
     }
     s->circles = circles;
-    if (tree_create_03(first_id + scene->tree.n_nodes + N_BEHIND, scene->tree.n_map + 2 * n_leaves,
+    if (tree_create_03(first_id + scene->tree.n_nodes + N_BEHIND, scene->tree.n_map + 3 * n_leaves,
                        &map) != 0) {
         tree2d_free(&map);
         return -1;

@@ -1,7 +1,7 @@
 // mutant: compares by itself instead of calling
 // task: leaf_loop
 // caught by: leaf-work
-// says: &work
+// says: without a call
     const uint first = nodes_Relations[id].circleMapOffset + 1, n = mapNode2Circles[first - 1];
     float minDepth = INFINITY;
     for (uint i = first; i < first + n; i++) {

@@ -1,7 +1,7 @@
 // mutant: the list is read from its start on: the count is taken for a circle id
 // task: leaf_loop
-// caught by: leaf-random
-// says: last circle of every leaf|used as a circle's id
+// caught by: leaf-order
+// says: used as a circle's id
 // looks: missing-in-cell
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;

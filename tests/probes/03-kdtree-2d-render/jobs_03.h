@@ -14,4 +14,8 @@ typedef struct ChildJob {
 } ChildJob;
 LAYOUT_ASSERT(ChildJob, 16);
 
+// The alpha of a circle that every list of a leaf map names, nearest of all and everywhere, and
+// that the probe's overlaps_N_Nearer never takes (overlaps_N_Nearer.cl).
+#define UNTAKEN (-1.0f)
+
 #endif

@@ -38,7 +38,9 @@ int main(void)
 {
     static const char *const child_tree[] = {"children.relations", "children.boxes"};
     Probe probe;
-    cl_program program = probe_open_program(&probe, PROBE_PROGRAM, PROBE_COUNTING);
+    // The folder of the probe comes first: overlaps_N_Nearer.cl is the one there.
+    cl_program program = probe_open_program(&probe, PROBE_PROGRAM,
+                                            "-I probes/" LAB_NAME " -I solutions " PROBE_COUNTING);
     cl_kernel kernel = probe_kernel(program, "implicit2DRenderer_KD");
     probe_call_with(&probe, program, "children", sizeof(ChildJob), sizeof(cl_uint), child_tree, 2);
     const SceneJob *scene;
