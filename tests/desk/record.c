@@ -47,7 +47,7 @@ int record_note(const json_t *results)
         return -1;
     }
     const char *lab = text_of(results, "lab");
-    const json_t *old = json_object_get(record, lab), *fault = results_first_fault(results);
+    const json_t *old = json_object_get(record, lab), *fault = results_hinted_fault(results);
     const int score = number_of(results, "score"), best = number_of(old, "best");
     const char *task = text_of(fault, "task"), *check = text_of(fault, "id");
     const int is_same =

@@ -5,8 +5,9 @@
 //           "tasks": { "getContainingChild": 25, "descent": 35, "leaf_loop": 0 },
 //           "task": "leaf_loop", "check": "leaf-random", "hints": 2 } }
 //
-// `task` and `check` are the first fault of the last grading, and `hints` says how many of its
-// hints were shown. Nothing but the desk reads the file; a student may delete it.
+// `task` and `check` are the fault of the last grading that hints are about (results.h), and
+// `hints` says how many of its hints were shown. Nothing but the desk reads the file; a student may
+// delete it.
 #ifndef DESK_RECORD_H
 #define DESK_RECORD_H
 

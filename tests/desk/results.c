@@ -57,6 +57,21 @@ const json_t *results_task_fault(const json_t *results, const char *task)
     return NULL;
 }
 
+const json_t *results_hinted_fault(const json_t *results)
+{
+    const json_t *first = results_first_fault(results);
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(results, "checks"), i, check)
+    {
+        if (strcmp(text_of(check, "status"), "failed") == 0 && text_of(check, "cause")[0] != '\0' &&
+            strcmp(text_of(check, "task"), text_of(first, "task")) == 0) {
+            return check;
+        }
+    }
+    return first;
+}
+
 int fault_is_unanswered(const json_t *check)
 {
     return strcmp(text_of(check, "silent"), silence_name(SILENCE_UNANSWERED)) == 0;

@@ -17,6 +17,10 @@ const json_t *results_first_fault(const json_t *results);
 // The first check of a task that failed although the task is answered, or NULL.
 const json_t *results_task_fault(const json_t *results, const char *task);
 
+// The check that hints are about: of the task of the first fault the first failed check that has
+// named the mistake; or the first fault.
+const json_t *results_hinted_fault(const json_t *results);
+
 // Is it a check of a task that stands as it was handed out?
 int fault_is_unanswered(const json_t *check);
 

@@ -237,7 +237,7 @@ Test(report_hints, no_hint_where_the_cause_is_named)
     result_free(&result);
 }
 
-// The first failed check decides, and what one check has explained holds for its whole task.
+// The first failed check decides; the hint is that of the check which has named the mistake.
 Test(report_hints, the_hint_is_that_of_the_first_failed_check)
 {
     static const Manifest hinted = {
@@ -254,8 +254,9 @@ Test(report_hints, the_hint_is_that_of_the_first_failed_check)
     result.checks[0].status = CHECK_FAILED;
     cr_expect_str_eq(task_hint(&hinted, &result, task), "Of the task.");
     cr_expect_str_eq(check_hint(&hinted, &result, &result.checks[1]), "Of the boundary.");
-    result.checks[1].is_explained = 1;
-    cr_expect_str_eq(task_hint(&hinted, &result, task), "");
+    name_cause(&result.checks[1], "strict where it should not be");
+    cr_expect_str_eq(task_hint(&hinted, &result, task), "Of the boundary.");
+    cr_expect_str_eq(check_hint(&hinted, &result, &result.checks[1]), "");
     result.checks[0].status = CHECK_PASSED;
     result.checks[1].status = CHECK_NOT_RUN;
     cr_expect_str_eq(task_hint(&hinted, &result, task), "");

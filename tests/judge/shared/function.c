@@ -82,9 +82,6 @@ static int count_answers(const Function *function, const void *job, Range range,
 static Cause name_known(const Function *function, const void *job, Range range, const void *answers)
 {
     const Range all = {.n = function->n};
-    if (!function->is_known_by_range) {
-        range = all;
-    }
     Cause cause = {0};
     const int n = count_answers(function, job, range, answers, &cause);
     if (n > 0) {
@@ -104,6 +101,9 @@ static Cause name_known(const Function *function, const void *job, Range range, 
 // a mistake.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
+    if (!function->is_known_by_range) {
+        range = (Range){.n = function->n};
+    }
     return function->knows_constant || !is_constant(function, range, answers)
                ? name_known(function, job, range, answers)
                : (Cause){0};
