@@ -58,6 +58,27 @@ static char *judge_wrong_in(Session *session, int k, int i, const KnownAnswer *a
     return why;
 }
 
+// Which check of the answer's task says in the job of the k-th seed what none may say, or NULL.
+// Owned by the caller.
+static char *judge_never_in(Session *session, int k, const KnownAnswer *answer,
+                            const Variant *variant)
+{
+    char *why = NULL;
+    for (int i = 0; why == NULL && answer->never[0] != '\0' && i < session->judge.n_checks; i++) {
+        CheckResult result = {0};
+        if (is_of_task(session, i, answer)) {
+            result = judge_in(session, k, i, variant);
+        }
+        if (result.message != NULL && matches(result.message, answer->never)) {
+            why = message_new("%s says with seed %" PRIu64 " \"%s\", and /%s/ is not true",
+                              session->judge.checks[i].id, seed_of(session, k), result.message,
+                              answer->never);
+        }
+        check_free(&result);
+    }
+    return why;
+}
+
 // Why a wrong answer was not caught as it should be, or NULL. Owned by the caller.
 static char *judge_wrong(Session *session, const KnownAnswer *answer, const Variant *variant)
 {
@@ -71,6 +92,7 @@ static char *judge_wrong(Session *session, const KnownAnswer *answer, const Vari
     char *why = NULL;
     for (int k = 0; why == NULL && k <= session->workshop.n_further_jobs; k++) {
         why = judge_wrong_in(session, k, i, answer, variant);
+        why = why == NULL ? judge_never_in(session, k, answer, variant) : why;
     }
     return why;
 }

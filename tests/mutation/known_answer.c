@@ -47,6 +47,14 @@ static int read_mistakes(KnownAnswer *answer)
     return 0;
 }
 
+// The optional header line "// never says: ...". Returns 0, or -1 after one message.
+static int read_never(KnownAnswer *answer)
+{
+    return strstr(answer->text, "// never says: ") == NULL
+               ? 0
+               : read_header(answer, "never says", answer->never);
+}
+
 int answer_check(const Session *session, const KnownAnswer *answer)
 {
     for (int i = 0; i < session->judge.n_checks; i++) {
@@ -66,7 +74,7 @@ int answer_read(KnownAnswer *answer, const Manifest *manifest, const char *path)
         (answer->is_right ? read_header(answer, "right", why_right)
                           : read_header(answer, "caught by", answer->check) |
                                 read_header(answer, "says", answer->says)) != 0 ||
-        read_mistakes(answer) != 0) {
+        read_never(answer) != 0 || read_mistakes(answer) != 0) {
         return -1;
     }
     answer->task = manifest_task(manifest, task);

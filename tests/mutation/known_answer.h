@@ -19,6 +19,7 @@ typedef struct KnownAnswer {
     int is_right;                   // then the two below are not used
     char check[ANSWER_LINE_BYTES];  // by which it shall be caught
     char says[ANSWER_LINE_BYTES];   // regular expression for that check's message
+    char never[ANSWER_LINE_BYTES];  // the same for what no check of its task may say; "" for none
     unsigned mistakes;              // of diagnosis.h, a bit for each; 0 when it is of none
     Mistake first_mistake;          // the one that must be named
     int is_tried_alone;             // besides (alone.h)

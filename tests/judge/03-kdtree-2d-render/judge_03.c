@@ -3,6 +3,7 @@
 #include "judge_03.h"
 
 #include "message.h"
+#include "picture_looks.h"
 #include "words.h"
 
 #include <math.h>
@@ -116,6 +117,23 @@ static const Function children = {"children", N_CHILDREN, sizeof(u32),
 
 // ---- Leaf maps ----------------------------------------------------------------------------------
 
+// The picture of a descent. What is known of scenes are mistakes with circles and lists; a way that
+// leads elsewhere may look like one of them, and is none.
+static Verdict judge_way(const void *job, int k, const Sections *answers)
+{
+    const JobPicture *picture = job_picture(job, k);
+    const ProbeImage own = job_picture_answer(picture, k, answers);
+    Verdict verdict = judge_picture(job, k, answers);
+    if (verdict.kind == VERDICT_FAILED && verdict.diagnosis.cause != NULL) {
+        const Evidence evidence = verdict.diagnosis.evidence;
+        char *found = message_new("%s", verdict.diagnosis.found);
+        diagnosis_free(&verdict.diagnosis);
+        verdict = verdict_of(
+            diagnosis_seen(found, picture_distortion(own, &picture->expected), evidence));
+    }
+    return verdict;
+}
+
 // A leaf map in the numbers of its nodes, where the picture has the colours of two.
 static Verdict judge_leaf_map(const void *job, int k, const Sections *answers)
 {
@@ -170,7 +188,7 @@ static const JudgeCheck checks[] = {
     {"child-border", "Pixels on a border between children", "getContainingChild",
      .function = &children, .range = {N_INSIDE, N_BORDER}},
 
-    {"descent-picture", "Random scenes through their trees", "descent", "*", .scene = judge_picture,
+    {"descent-picture", "Random scenes through their trees", "descent", "*", .scene = judge_way,
      .range = {0, LEAF_MAP}, .alone_scene = ends_in_leaves_03},
     {"descent-leaf", "Every pixel ends in its own leaf", "descent", "*", .scene = judge_leaf_map,
      .range = {LEAF_MAP, 2}, .alone_scene = ends_in_leaves_03, .alone_cause = descent_cause_03},

@@ -2,6 +2,7 @@
 // task: implicit2DRenderer
 // caught by: renderer-edges
 // says: depth of the first circle
+// never says: first circle were missing
     float minDepth = n_circles > 0 ? circles[0].depth : 0.0f;
     for (int i = 0; i < n_circles; i++) {
         if (overlaps_N_Nearer(x, y, circles[i], minDepth, &work)) {

@@ -2,6 +2,7 @@
 // task: own_pixel
 // caught by: own_pixel-padding
 // says: x and y are swapped
+// never says: guard
 // looks: unwritten
     const int x = get_global_id(1);
     const int y = get_global_id(0);

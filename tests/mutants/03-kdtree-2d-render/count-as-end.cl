@@ -2,6 +2,7 @@
 // task: leaf_loop
 // caught by: leaf-random
 // says: position at which its list ends
+// never says: &work|were not asked
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

@@ -2,6 +2,7 @@
 // task: leaf_loop
 // caught by: leaf-edges
 // says: one circle too many
+// never says: asked twice
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n = mapNode2Circles[offset];
