@@ -127,6 +127,8 @@ EACH(unit_vectors, ARE(UNIT_PRODUCT, CROSS(UNIT_PRODUCT, FORWARD), FORWARD, 1),
      "is to be made a unit vector")
 EACH(long_right, ARE(PRODUCT, CROSS(PRODUCT, FORWARD), FORWARD, 1),
      "right is not made a unit vector, and up comes from it")
+EACH(right_alone_long, ARE(PRODUCT, UNIT(CROSS(PRODUCT, FORWARD)), FORWARD, 1),
+     "right is not made a unit vector")
 EACH(right_late, ARE(UNIT(PRODUCT), CROSS(PRODUCT, FORWARD), FORWARD, 1),
      "right was made a unit vector only after up had come from it")
 EACH(up_as_given, ARE(UNIT(PRODUCT), VIEW_UP, FORWARD, 1),
@@ -169,8 +171,8 @@ ONLY(right_to_left, IS_OPPOSITE(right, 0),
 ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cross product")
 
 #define KNOWN_OF_ALL                                                                               \
-    &at_for_way, &z_for_up, &unit_vectors, &long_right, &right_late, &up_as_given, &up_made_unit,  \
-        &up_from_way, &steep, &out_of_range, &of_length
+    &at_for_way, &z_for_up, &unit_vectors, &long_right, &right_alone_long, &right_late,            \
+        &up_as_given, &up_made_unit, &up_from_way, &steep, &out_of_range, &of_length
 static const Known *const known_of_lengths[] = {KNOWN_OF_ALL};
 static const Known *const known_of_forward[] = {KNOWN_OF_ALL, &backwards};
 static const Known *const known_of_up[] = {KNOWN_OF_ALL, &right_of_backwards, &right_to_left,

@@ -136,42 +136,51 @@ ANSWERS(inverse_aspect, with_aspect(in, (double)in->width / in->height),
         "y is scaled by width / height: it is height / width")
 ANSWERS(whole_aspect, with_aspect(in, floor((double)in->height / in->width)),
         "height / width is a division of whole numbers there")
+ANSWERS(
+    corner_from_whole_middle, POINT(X - 0.5 + OFF(in->width), Y - 0.5 + OFF(in->height)),
+    "shifted by half a pixel, and half of an odd width or height has lost its half: that is the "
+    "pixel's corner, from a middle in whole numbers",
+    MISTAKE_SHIFTED_HALF)
+ANSWERS(behind, at(SIZED(SIZE), -1), "the display stands before the eye: at z = 1, not -1")
+ANSWERS(behind_flipped, at(POINT(X, in->height - Y), -1),
+        "the display stands before the eye, at z = 1, and row 0 is the top row, where y is largest")
 ANSWERS(made_unit, vector_unit(SIZED(SIZE)),
         "the point was made a unit vector: it stands on the display, at z = 1")
 ANSWERS(width_1, at(SIZED(1.0 / in->width), 1 / FOV),
         "that display is 1 wide: it must stand at distance 1, and be as wide as fov")
 
-static const Known *const known[] = {
-    &corner,
-    &far_corner,
-    &half_width,
-    &left_border,
-    &right_border,
-    &upper_border,
-    &lower_border,
-    &fov_height,
-    &angle,
-    &longer_side,
-    &mirrored,
-    &flipped,
-    &transposed,
-    &one_right,
-    &one_left,
-    &one_down,
-    &one_up,
-    &one_left_up,
-    &one_right_down,
-    &whole_halves,
-    &whole_half_height,
-    &halves_rounded_up,
-    &whole_steps,
-    &from_border_to_border,
-    &no_squares,
-    &inverse_aspect,
-    &whole_aspect,
-    &made_unit,
-    &width_1,
-};
+static const Known *const known[] = {&corner,
+                                     &far_corner,
+                                     &half_width,
+                                     &left_border,
+                                     &right_border,
+                                     &upper_border,
+                                     &lower_border,
+                                     &fov_height,
+                                     &angle,
+                                     &longer_side,
+                                     &mirrored,
+                                     &flipped,
+                                     &transposed,
+                                     &one_right,
+                                     &one_left,
+                                     &one_down,
+                                     &one_up,
+                                     &one_left_up,
+                                     &one_right_down,
+                                     &whole_halves,
+                                     &whole_half_height,
+                                     &halves_rounded_up,
+                                     &whole_steps,
+                                     &from_border_to_border,
+                                     &no_squares,
+                                     &inverse_aspect,
+                                     &whole_aspect,
+                                     &made_unit,
+                                     &width_1,
+                                     &corner_from_whole_middle,
+                                     &behind,
+                                     &behind_flipped};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

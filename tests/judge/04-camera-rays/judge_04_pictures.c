@@ -65,6 +65,22 @@ static OracleVector half_forgotten(const SceneJob3D *scene, int x, int y, RayOf 
     return vector_scaled(0.5, ray_of(scene, x, y).direction);
 }
 
+static OracleVector unhalved(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
+{
+    const OracleVector half = {0.5, 0.5, 0.5};
+    return vector_plus(ray_of(scene, x, y).direction, half);
+}
+
+static OracleVector halved_late(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
+{
+    return vector_scaled(2, direction_color(scene, x, y, ray_of));
+}
+
+static OracleVector turned_round(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
+{
+    return mapped(vector_scaled(-1, ray_of(scene, x, y).direction));
+}
+
 static OracleVector of_point(const SceneJob3D *scene, int x, int y, RayOf *ray_of)
 {
     const OracleRay ray = ray_of(scene, x, y);
@@ -93,6 +109,10 @@ static const struct {
     {positive, {.says = "as if negative parts were cut off: -1 becomes 0, and 0 a half"}},
     {half_halved, {.says = "as if the half were added before halving"}},
     {half_forgotten, {.says = "as if the half were not added"}},
+    {unhalved, {.says = "as if only the half were added: from -1 to 1 is twice as far as 0 to 1"}},
+    {halved_late, {.says = "as if 1 were added and the sum not halved: 1 becomes 2"}},
+    {turned_round,
+     {.says = "as if the direction were turned round: -1 becomes 1, and 1 becomes 0"}},
     {of_point, {.says = "as if the eye were added: the colour is that of the direction only"}},
     {of_8_bits, {.says = "as if colours were rounded to 8 bits: the image holds floats"}},
     {of_swapped_size, {.says = "as if width and height were swapped in the call"}},

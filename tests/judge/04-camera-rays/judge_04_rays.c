@@ -120,6 +120,25 @@ ANSWERS(with_swapped_size, turned_by(CAMERA, display(in, CAMERA->fov, in->height
         "width and height are swapped")
 ANSWERS(up_is_down, turned_by(CAMERA, (OracleVector){DISPLAY.x, -DISPLAY.y, 1}),
         "up and down are swapped")
+EACH(no_forward, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, (OracleVector){DISPLAY.x, DISPLAY.y, 0})),
+     "forward has no part in it: x times right plus y times up plus z times forward")
+ANSWERS(right_and_up_swapped, turned_by(CAMERA, (OracleVector){DISPLAY.y, DISPLAY.x, DISPLAY.z}),
+        "right and up are swapped: x goes along right, y along up")
+ANSWERS(right_is_left, turned_by(CAMERA, (OracleVector){-DISPLAY.x, DISPLAY.y, DISPLAY.z}),
+        "right and left are swapped")
+ANSWERS(looks_back, turned_by(CAMERA, (OracleVector){DISPLAY.x, DISPLAY.y, -DISPLAY.z}),
+        "forward is taken off: the display is before the eye")
+
+static double sign_of(double number)
+{
+    return number > 0 ? 1 : -1;
+}
+
+// Of 0 no unit vector comes.
+EACH(each_unit,
+     DISPLAY.x == 0 || DISPLAY.y == 0 ||
+         IS_FOUND(turned_by(CAMERA, (OracleVector){sign_of(DISPLAY.x), sign_of(DISPLAY.y), 1})),
+     "each part was made a unit vector by itself: the sum of all three is to be made one")
 // In the very middle there is no such part.
 EACH(unit_sides, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, with_unit_sides(DISPLAY))),
      "the part along the display was made a unit vector before forward was added")
@@ -134,9 +153,9 @@ ONLY(is_zero, vec3_length(found) == 0, "it is zero")
 ONLY(not_unit, 1, "it must be a unit vector, so that t is a distance: normalize()")
 
 static const Known *const known_of_direction[] = {
-    &turned_round,      &backwards,  &unturned,   &with_the_eye, &with_fov_1,
-    &with_swapped_size, &up_is_down, &unit_sides, &far_eye,      &is_zero,
-};
+    &turned_round,  &backwards,  &unturned, &with_the_eye, &with_fov_1, &with_swapped_size,
+    &up_is_down,    &unit_sides, &far_eye,  &is_zero,      &no_forward, &right_and_up_swapped,
+    &right_is_left, &looks_back, &each_unit};
 static const Known *const known_of_length[] = {&not_unit};
 
 static char *describe_direction(const void *job, int i, const void *answers)

@@ -256,6 +256,11 @@ ANSWERS(near_cut,
 ANSWERS(far_cut, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, MET.t_split)),
         "where only the far child is met the part stays as it is: t_split is before it")
 
+ANSWERS(both_cut, visited(in, MET, with_ends(PARTS, MET.t_split, MET.t_split)),
+        "where only one child is met the part stays as it is: it is cut where both are")
+ANSWERS(near_cut_any, visited(in, MET, with_ends(PARTS, MET.t_split, PARTS.far.t_min)),
+        "where only the near child is met the part stays as it is: t_split is not in it")
+
 // Take the expected number for one a hair beside it.
 static TodoEntry without_hair(TodoEntry found, TodoEntry expected)
 {
@@ -279,11 +284,11 @@ ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in
      "only where one place is left on the stack is it wrong: that is enough, as the near child "
      "takes none")
 
-static const Known *const known[] = {&swapped,       &by_direction, &lower_is_near, &far_is_near,
-                                     &never_skipped, &no_points,    &far_dropped,   &near_waits,
-                                     &parts_swapped, &keeps_t_max,  &keeps_t_min,   &always_waits,
-                                     &is_side,       &goes_to_side, &by_bit,        &near_cut,
-                                     &far_cut,       &hair,         &last_place};
+static const Known *const known[] = {
+    &swapped,     &by_direction, &lower_is_near, &far_is_near, &never_skipped, &no_points,
+    &far_dropped, &near_waits,   &parts_swapped, &keeps_t_max, &keeps_t_min,   &always_waits,
+    &is_side,     &goes_to_side, &by_bit,        &near_cut,    &far_cut,       &hair,
+    &last_place,  &both_cut,     &near_cut_any};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -38,16 +38,27 @@ typedef struct Way {
     int always_met;               // or nothing is needed
     int point_missed;             // nothing is left where t_min and t_max are equal
     u32 skipped;                  // axes that are not asked, a bit for each
+    int multiplies;               // with the direction, in the place of dividing by it
+    int grows;                    // t_max becomes the larger of two
+    u32 direction_of;             // 1 + the axis whose direction is taken on every axis; 0 for none
+    u32 origin_of;                // the same of the origin
     double small;                 // directions below that are 0
     double beside;                // so far beside the box, or so short in it,
     double shorter;               // is met, or missed
 } Way;
 
-static Span clip_plane(const ClipJob *in, u32 axis, double plane)
+// What stands on an axis, or on the one that is taken in its place.
+static double taken(Vec3 vector, u32 axis, u32 other)
 {
-    const double origin = vector_component(vector_of(in->origin), axis),
-                 direction = vector_component(vector_of(in->direction), axis);
-    const double t = (plane - origin) / direction;
+    return vector_component(vector_of(vector), other > 0 ? other - 1 : axis);
+}
+
+static Span clip_plane(const ClipJob *in, u32 axis, double plane, Way way)
+{
+    const double origin = taken(in->origin, axis, way.origin_of),
+                 direction = taken(in->direction, axis, way.direction_of);
+    const double way_to = plane - origin;
+    const double t = way.multiplies ? way_to * direction : way_to / direction;
     const int is_exact = fabs(direction) == 1;
     const double error =
         is_exact ? 0 : PLANE_ERROR * (fabs(plane) + fabs(origin)) / fabs(direction);
@@ -63,16 +74,16 @@ static Clip clipped(const ClipJob *in, Way way)
             continue;
         }
         const double min = in->box.min[axis], max = in->box.max[axis];
-        const double direction = vector_component(vector_of(in->direction), axis);
+        const double direction = taken(in->direction, axis, way.direction_of);
         if (direction == 0 || fabs(direction) < way.small) {
-            const double origin = vector_component(vector_of(in->origin), axis);
+            const double origin = taken(in->origin, axis, way.origin_of);
             is_outside |= way.along_missed || origin < min - way.beside ||
                           origin > max + way.beside ||
                           (way.border_outside && (origin == min || origin == max));
             is_decided = way.along_met;
             continue;
         }
-        const Span low = clip_plane(in, axis, min), high = clip_plane(in, axis, max);
+        const Span low = clip_plane(in, axis, min, way), high = clip_plane(in, axis, max, way);
         const Span into = way.low_is_entry ? low : span_min(low, high);
         const Span out = way.low_is_entry ? high : span_max(low, high);
         is_outside |= way.entry_behind && into.high < 0;
@@ -81,7 +92,8 @@ static Clip clipped(const ClipJob *in, Way way)
         exit = is_first ? out : way.last_exit ? span_max(exit, out) : span_min(exit, out);
     }
     const Span t_min = span_max(entry, (Span){in->t_min, in->t_min});
-    const Span t_max = span_min(exit, (Span){in->t_max, in->t_max});
+    const Span end = {in->t_max, in->t_max};
+    const Span t_max = way.grows ? span_max(exit, end) : span_min(exit, end);
     if (is_outside && !way.along_ignored) {
         return (Clip){0, 1, t_min, t_max};
     }
@@ -179,6 +191,24 @@ ANSWERS(entry_behind, clipped(in, (Way){.entry_behind = 1}),
         "that is as if an entry behind the eye made a miss: the eye may be between the planes, or "
         "in the box")
 
+ANSWERS(multiplied, clipped(in, (Way){.multiplies = 1}),
+        "that is multiplied with the direction: t is the way to the plane divided by it")
+// By 0 is divided with such a mistake, or not.
+EACH(grown,
+     in->direction.x * in->direction.y * in->direction.z == 0 ||
+         IS_FOUND(clipped(in, (Way){.grows = 1, .last_exit = 1})),
+     "that is as if t_max grew: it becomes the smaller of the two, t_min the larger")
+
+#define OF_ONE_AXIS                                                                                \
+    "on every axis the number of one of them was taken: origin and direction are those of the "    \
+    "axis"
+ANSWERS(direction_of_x, clipped(in, (Way){.direction_of = 1}), OF_ONE_AXIS)
+ANSWERS(direction_of_y, clipped(in, (Way){.direction_of = 2}), OF_ONE_AXIS)
+ANSWERS(direction_of_z, clipped(in, (Way){.direction_of = 3}), OF_ONE_AXIS)
+ANSWERS(origin_of_x, clipped(in, (Way){.origin_of = 1}), OF_ONE_AXIS)
+ANSWERS(origin_of_y, clipped(in, (Way){.origin_of = 2}), OF_ONE_AXIS)
+ANSWERS(origin_of_z, clipped(in, (Way){.origin_of = 3}), OF_ONE_AXIS)
+
 #define AXIS_SKIPPED                                                                               \
     "that is as if one of the three axes were not asked: the loop ends too soon, or begins too "   \
     "late"
@@ -196,10 +226,12 @@ ONLY(hair_missed, IS_FOUND(clipped(in, (Way){.shorter = HAIR})),
      "that is as if a part that is short were none: compare without an epsilon")
 
 static const Known *const known[] = {
-    &low_is_entry, &no_t_min,     &no_t_max,       &no_part,        &from_0,         &first_entry,
-    &last_exit,    &point_missed, &along_ignored,  &along_missed,   &along_met,      &always_met,
-    &skips_x,      &skips_y,      &skips_z,        &border_divided, &border_outside, &unstored,
-    &exit_ahead,   &entry_behind, &small_is_along, &hair_met,       &hair_missed};
+    &low_is_entry, &no_t_min,       &no_t_max,       &no_part,        &from_0,         &first_entry,
+    &last_exit,    &point_missed,   &along_ignored,  &along_missed,   &along_met,      &always_met,
+    &skips_x,      &skips_y,        &skips_z,        &border_divided, &border_outside, &unstored,
+    &exit_ahead,   &entry_behind,   &small_is_along, &hair_met,       &hair_missed,    &multiplied,
+    &grown,        &direction_of_x, &direction_of_y, &direction_of_z, &origin_of_x,    &origin_of_y,
+    &origin_of_z};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

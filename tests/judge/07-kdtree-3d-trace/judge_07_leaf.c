@@ -78,6 +78,7 @@ static LeafHit searched(const Inputs07 *inputs, int i, Way way)
 typedef enum Comparison {
     NEARER,
     NOT_FARTHER,     // t <= hit->t: a miss as far as no hit so far, too
+    LOWER_TOO,       // and its number must be lower
     FARTHER,         // t > hit->t: misses, which are infinitely far, win
     FARTHER_HIT,     // the same, but misses are passed over: no hit so far stays for ever
     FARTHER_OR_ANY,  // the same, but in place of no hit so far comes any
@@ -89,6 +90,9 @@ typedef struct Loop {
     int asks_position;   // it asks the sphere whose id is the position in sphere_ids,
     int keeps_position;  // and keeps the position
     int from_start;      // it runs over the first ids of the tree
+    int first_ends;      // it ends with the first that takes a place
+    int keeps_t;         // the distance is not set: each is held against that of before
+    int keeps_start;     // or keeps one of them, the leaf's k-th for its own k-th id
 } Loop;
 
 // Does a distance take the place of the one so far?
@@ -96,6 +100,9 @@ static int takes(Loop loop, double t, u32 id, const LeafHit *so_far)
 {
     if (loop.comparison == NOT_FARTHER) {
         return t <= so_far->t;
+    }
+    if (loop.comparison == LOWER_TOO) {
+        return t < INFINITY && t <= so_far->t && id < so_far->sphere;
     }
     if (t == so_far->t && t < INFINITY) {
         return loop.lower_wins && id < so_far->sphere;
@@ -125,10 +132,18 @@ static LeafHit looped(const Inputs07 *inputs, int i, Loop loop)
         const OracleRoot root = oracle3d_root(sphere, &ray, ORACLE_PROJECTION, &right);
         result.is_ambiguous |= root.is_possible != root.is_certain;
         const u32 compared = loop.keeps_position && loop.asks_position ? at : id;
+        const double tolerance = isinf(root.t) ? 0 : root.t_high - root.t_low;
+        const double gap = isinf(root.t) ? INFINITY : fabs(root.t - result.t);
+        result.is_ambiguous |= gap <= tolerance && !is_along_axis(in->direction);
         if (takes(loop, root.t, compared, &result)) {
-            result.t = root.t;
-            result.t_tolerance = isinf(root.t) ? 0 : root.t_high - root.t_low;
-            result.sphere = loop.keeps_position ? at : id;
+            result.t = loop.keeps_t ? result.t : root.t;
+            result.t_tolerance = loop.keeps_t ? 0 : tolerance;
+            result.sphere = loop.keeps_position ? at
+                            : loop.keeps_start  ? inputs->leaf_ids[at - first]
+                                                : id;
+            if (loop.first_ends) {
+                break;
+            }
         }
     }
     return result;
@@ -218,9 +233,23 @@ EACH(hair,
          (found.sphere != hit.sphere && found.t != (float)hit.t && fabs(found.t - hit.t) < HAIR),
      "of two hits a hair apart the nearer one is the nearer: compare without an epsilon")
 
-// A hit of the leaf that is nearer by less than an epsilon, and a tie, look the same then.
+// A hit of the leaf that is nearer by less than an epsilon, and a tie, look the same then: what is
+// found is a hit, too, as far away as it says.
+static int is_hit_there(const Inputs07 *inputs, const SearchJob *in, SearchAnswer found)
+{
+    static const OracleRules3D right = {0};
+    if (found.sphere == in->sphere && found.t == in->t) {
+        return found.sphere != ORACLE_NO_SPHERE;
+    }
+    const OracleRay ray = oracle3d_given_ray(in->origin, in->direction, 0);
+    return found.sphere < N_LEAF_IDS &&
+           fabs(oracle3d_root(inputs->leaf_spheres[found.sphere], &ray, ORACLE_PROJECTION, &right)
+                    .t -
+                (double)found.t) < HAIR / 16;
+}
+
 ONLY(by_hair,
-     found.sphere != ORACLE_NO_SPHERE && found.sphere != hit.sphere && fabs(found.t - hit.t) < HAIR,
+     found.sphere != hit.sphere && fabs(found.t - hit.t) < HAIR && is_hit_there(inputs, in, found),
      "only hits a hair apart, or just as far away, are mistaken for one another: compare without "
      "an epsilon, and at equal distances the lower id wins")
 
@@ -233,6 +262,8 @@ ANSWERS(sphere_kept, searched(inputs, i, (Way){.keeps_sphere = 1}), "hit->sphere
 // Each sphere that is nearer than the hit so far is then taken, up to the last.
 ANSWERS(t_kept, searched(inputs, i, (Way){.keeps_distance = 1, .rules = {.last_wins = 1}}),
         "hit->t is not set")
+ANSWERS(t_kept_in_loop, looped(inputs, i, (Loop){.keeps_t = 1}), "hit->t is not set")
+ANSWERS(t_kept_low, looped(inputs, i, (Loop){.keeps_t = 1, .lower_wins = 1}), "hit->t is not set")
 ANSWERS(hit_forgotten, searched(inputs, i, (Way){.forgets_hit = 1}),
         "the hit so far was nearer: it stays")
 ANSWERS(last_missing, searched(inputs, i, (Way){.rules = {.skip_last = 1}}),
@@ -245,8 +276,10 @@ ANSWERS(later_wins, searched(inputs, i, (Way){.rules = {.later_wins_ties = 1}}),
         "of two equally far spheres the later one won", MISTAKE_LATER_OF_EQUALS)
 ANSWERS(hit_stays, searched(inputs, i, (Way){.first_stays = 1}),
         "the hit so far stayed, where a sphere with a lower id is just as far away")
-ANSWERS(first_wins, searched(inputs, i, (Way){.rules = {.first_wins = 1}}),
-        "that is as if the first sphere that is hit won, however far")
+#define FIRST_WINS "that is as if the first sphere that is hit won, however far"
+ANSWERS(first_wins, searched(inputs, i, (Way){.rules = {.first_wins = 1}}), FIRST_WINS)
+ANSWERS(first_ends, looped(inputs, i, (Loop){.first_ends = 1}), FIRST_WINS)
+ANSWERS(first_ends_low, looped(inputs, i, (Loop){.first_ends = 1, .lower_wins = 1}), FIRST_WINS)
 ANSWERS(last_wins, searched(inputs, i, (Way){.rules = {.last_wins = 1}}),
         "that is as if the last sphere that is hit won, however far")
 ANSWERS(farthest_wins, searched(inputs, i, (Way){.rules = {.farthest_wins = 1}}),
@@ -255,6 +288,9 @@ ANSWERS(farthest_wins, searched(inputs, i, (Way){.rules = {.farthest_wins = 1}})
 ANSWERS(not_farther, looped(inputs, i, (Loop){.comparison = NOT_FARTHER}),
         "of two equally far spheres the later one won, and of misses, too: t <= hit->t",
         MISTAKE_LATER_OF_EQUALS)
+
+ANSWERS(lower_too, looped(inputs, i, (Loop){.comparison = LOWER_TOO}),
+        "a nearer sphere wins whatever its id: ids count at equal distances only")
 
 #define FARTHER_WINS "that is as if a hit had to be farther than the one so far: t > hit->t"
 ANSWERS(farther, looped(inputs, i, (Loop){.comparison = FARTHER}), FARTHER_WINS)
@@ -276,17 +312,28 @@ ANSWERS(asked_kept_low,
 ANSWERS(kept_low, looped(inputs, i, (Loop){.keeps_position = 1, .lower_wins = 1}),
         "hit->sphere is a position in sphere_ids, not what stands there")
 
+#define KEEPS_START                                                                                \
+    "the id that is kept is not that of the sphere that was asked: both are at node.first + i"
+ANSWERS(keeps_start, looped(inputs, i, (Loop){.keeps_start = 1}), KEEPS_START)
+ANSWERS(keeps_start_low, looped(inputs, i, (Loop){.keeps_start = 1, .lower_wins = 1}), KEEPS_START)
+
 #define FIRST_IDS "the first ids of the tree were asked: the leaf's begin at node.first"
 ANSWERS(from_start, looped(inputs, i, (Loop){.from_start = 1}), FIRST_IDS)
 ANSWERS(from_start_low, looped(inputs, i, (Loop){.from_start = 1, .lower_wins = 1}), FIRST_IDS)
 
-static const Known *const known[] = {
-    &miss_taken,  &longest,       &hair,        &near_eye,      &far_away,        &unchanged,
-    &position,    &sphere_kept,   &t_kept,      &hit_forgotten, &last_missing,    &first_missing,
-    &one_more,    &later_wins,    &hit_stays,   &first_wins,    &last_wins,       &farthest_wins,
-    &not_farther, &farther,       &farther_low, &farther_hit,   &farther_hit_low, &farther_or_any,
-    &by_hair,     &asked,         &asked_low,   &asked_kept,    &asked_kept_low,  &kept_low,
-    &from_start,  &from_start_low};
+static const Known *const known[] = {&miss_taken,      &longest,         &hair,
+                                     &near_eye,        &far_away,        &unchanged,
+                                     &position,        &sphere_kept,     &t_kept,
+                                     &hit_forgotten,   &last_missing,    &first_missing,
+                                     &one_more,        &later_wins,      &hit_stays,
+                                     &first_wins,      &last_wins,       &farthest_wins,
+                                     &not_farther,     &farther,         &farther_low,
+                                     &farther_hit,     &farther_hit_low, &farther_or_any,
+                                     &by_hair,         &asked,           &asked_low,
+                                     &asked_kept,      &asked_kept_low,  &kept_low,
+                                     &from_start,      &from_start_low,  &keeps_start,
+                                     &keeps_start_low, &first_ends,      &first_ends_low,
+                                     &t_kept_in_loop,  &t_kept_low,      &lower_too};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -46,7 +46,10 @@ ONLY(not_again,
      found + 1 == in->node.n_spheres && lists(&((const Job07 *)job)->inputs, in->node, in->sphere),
      "the sphere that is hit already was not asked again: the contract is once for each")
 
-static const Known *const known[] = {&uncounted, &unasked, &to_count, &more, &not_again};
+ONLY(fewer, found < in->node.n_spheres,
+     "not each sphere of the leaf is asked: the loop ends before the last one, or passes some over")
+
+static const Known *const known[] = {&uncounted, &unasked, &to_count, &more, &not_again, &fewer};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -116,9 +116,17 @@ static Children children_but(const PlaneJob *in, int is_there, u32 choice)
     return result;
 }
 
+// Of a mistake in the choices a ray along the plane may be a case by itself, or come out as its
+// t_split does: behind, beyond, or as NaN does in the comparisons.
 static Children chosen_by(const PlaneJob *in, u32 behind, u32 before, u32 inside, u32 beyond)
 {
-    return chosen(in, span_about(in, t_of(in)), behind, before, inside, beyond);
+    Children result = chosen(in, span_about(in, t_of(in)), behind, before, inside, beyond);
+    if (isinf(in->inverse)) {
+        result.may_be |= isnan(t_of(in)) ? behind | before | inside | beyond
+                         : t_of(in) < 0  ? behind
+                                         : beyond;
+    }
+    return result;
 }
 
 // A plane behind the eye is compared as any other.
@@ -130,6 +138,9 @@ static Children without_eye(const PlaneJob *in)
                               by_part(in, span_about(in, t_of(in)), FAR_BIT, BOTH_BIT, NEAR_BIT));
 }
 
+// Is the plane ahead, and exactly there?
+#define IS_AT(t) (is_exact_plane(in) && t_of(in) > 0 && t_of(in) == (t))
+
 EACH(unset, is_same(found, children(in)) || (is_choice(found, children(in)) && !is_written(found)),
      "the choices are right, but *t_split is not set: what stood there before is found")
 ANSWERS(swapped, chosen_by(in, FAR_BIT, NEAR_BIT, BOTH_BIT, FAR_BIT),
@@ -137,6 +148,19 @@ ANSWERS(swapped, chosen_by(in, FAR_BIT, NEAR_BIT, BOTH_BIT, FAR_BIT),
 ANSWERS(behind_crossed, without_eye(in),
         "that is as if a plane behind the eye had been crossed before the node: t_split <= 0 is "
         "ONLY_NEAR")
+static Children crossed_first(const PlaneJob *in)
+{
+    Children result = children(in);
+    const Span split = span_about(in, t_of(in));
+    result.may_be = split.high < in->t_min  ? FAR_BIT
+                    : split.low < in->t_min ? result.may_be | FAR_BIT
+                                            : result.may_be;
+    return result;
+}
+
+EACH(behind_late, isnan(t_of(in)) || IS_FOUND(crossed_first(in)),
+     "that is as if a plane behind the eye had been crossed before the node: whether it is "
+     "behind the eye is asked first")
 ANSWERS(behind_met, chosen_by(in, BOTH_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
         "a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR")
 ANSWERS(at_eye_met, children_but(in, t_of(in) == 0, in->t_min > 0 ? FAR_BIT : BOTH_BIT),
@@ -152,10 +176,23 @@ ANSWERS(inside_near, chosen_by(in, NEAR_BIT, FAR_BIT, NEAR_BIT, NEAR_BIT),
         MISTAKE_FAR_CHILD)
 ANSWERS(inside_far, chosen_by(in, NEAR_BIT, FAR_BIT, FAR_BIT, NEAR_BIT),
         "that is as if only the far child were met: a plane between t_min and t_max is BOTH")
-ANSWERS(at_t_min, children_but(in, is_exact_plane(in) && t_of(in) == in->t_min, FAR_BIT),
+ANSWERS(at_t_min, children_but(in, IS_AT(in->t_min), FAR_BIT),
         "a plane exactly at t_min is met: equal to t_min is BOTH")
-ANSWERS(at_t_max, children_but(in, is_exact_plane(in) && t_of(in) == in->t_max, NEAR_BIT),
+ANSWERS(at_t_max, children_but(in, IS_AT(in->t_max), NEAR_BIT),
         "a plane exactly at t_max is met: equal to t_max is BOTH")
+
+static Children without_ends(const PlaneJob *in, u32 of_nan)
+{
+    return isnan(t_of(in)) ? children_but(in, 1, of_nan)
+                           : children_but(in, IS_AT(in->t_min) || IS_AT(in->t_max),
+                                          IS_AT(in->t_max) ? NEAR_BIT : FAR_BIT);
+}
+
+ANSWERS(at_both_ends, without_ends(in, NEAR_BIT),
+        "a plane exactly at t_min or t_max is met: equal is BOTH")
+ANSWERS(at_both_ends_nan, without_ends(in, BOTH_BIT),
+        "a plane exactly at t_min or t_max is met, equal is BOTH; and a ray along the plane, where "
+        "t_split is NaN, is ONLY_NEAR")
 
 // NaN is where these show: an infinite t_split compares as it should.
 #define NEVER_MET                                                                                  \
@@ -206,9 +243,13 @@ static Children clamped_first(const PlaneJob *in)
                : right;
 }
 
+// Where float finds a wrong t_split: it rounds also where the right one is exact.
 static int is_met_at(const PlaneJob *in, PlaneAnswer found, double t)
 {
-    return is_same(found, children_at(in, span_about(in, t)));
+    const double in_float = (double)(float)t, error = PLANE_ERROR * fabs(in_float);
+    const Span split = span_about(in, in_float);
+    return is_same(found, children_at(in, (Span){fmin(split.low, in_float - error),
+                                                 fmax(split.high, in_float + error)}));
 }
 
 EACH(backwards, is_met_at(in, found, -t_of(in)), "t_split has the wrong sign")
@@ -225,11 +266,12 @@ ANSWERS(t_other, children(in),
         "the choices are right, but t_split is not: is it by the README's formula?")
 
 static const Known *const known[] = {
-    &unset,       &t_other,      &swapped,      &behind_crossed, &behind_met, &at_eye_met,
-    &beyond_both, &crossed_both, &crossed_near, &inside_near,    &inside_far, &at_t_min,
-    &at_t_max,    &along_both,   &along_far,    &infinite_both,  &along_met,  &small_is_along,
-    &hair_ahead,  &hair_behind,  &hair_t_min,   &hair_t_max,     &hair_wider, &backwards,
-    &divided,     &from_zero,    &moved,        &always_both,    &lost_afar};
+    &unset,        &t_other,         &swapped,      &behind_crossed, &behind_met, &at_eye_met,
+    &beyond_both,  &crossed_both,    &crossed_near, &inside_near,    &inside_far, &at_t_min,
+    &at_t_max,     &along_both,      &along_far,    &infinite_both,  &along_met,  &small_is_along,
+    &hair_ahead,   &hair_behind,     &hair_t_min,   &hair_t_max,     &hair_wider, &backwards,
+    &divided,      &from_zero,       &moved,        &always_both,    &lost_afar,  &behind_late,
+    &at_both_ends, &at_both_ends_nan};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -98,6 +98,15 @@ ANSWERS(at_t_max, ended_if(in, in->t <= in->at.t_max),
         "may be just as far away")
 ANSWERS(at_t_min, ended_if(in, in->t < in->at.t_min),
         "that is as if the hit were compared with the leaf's t_min: its t_max counts")
+// After it was taken from the stack.
+static int ends_in_next(const NextWaitingJob *in)
+{
+    return in->todo.n > 0 && in->t < in->todo.upper[in->todo.n - 1].t_max;
+}
+
+ANSWERS(by_next, ended_if(in, ends_in_next(in)),
+        "the hit was compared with the t_max of the node from the stack: the leaf's is asked "
+        "before *at becomes that node")
 ANSWERS(before_t_min, ended_if(in, in->t >= in->at.t_min && IS_END),
         "a hit before t_min ends the search, too: it is in this leaf or before it, and all that "
         "waits is farther away")
@@ -146,9 +155,10 @@ EACH(above_top,
                      : !found->goes_on,
      "what was taken is none of the entries that wait: the top one is todo->entries[todo->n - 1]")
 
-static const Known *const known[] = {&any_hit,      &never_ends, &inverted, &at_t_max, &at_t_min,
-                                     &before_t_min, &one_left,   &swapped,  &hair,     &part_kept,
-                                     &t_max_kept,   &t_min_kept, &oldest,   &stays,    &above_top};
+static const Known *const known[] = {&any_hit,  &never_ends,   &inverted,   &at_t_max,
+                                     &at_t_min, &before_t_min, &one_left,   &swapped,
+                                     &hair,     &part_kept,    &t_max_kept, &t_min_kept,
+                                     &oldest,   &stays,        &above_top,  &by_next};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -66,8 +66,9 @@ static int has_square(BBox3D in, double found)
 
 EACH(square, has_square(in, found),
      "a side is multiplied by itself: a face has two sides on different axes")
-ANSWERS(whole_lengths, area_of(trunc(X), trunc(Y), trunc(Z)),
-        "the lengths were cut to whole numbers")
+// What a number beyond 32 bits is as a whole one, C leaves open.
+EACH(whole_lengths, fmax(fmax(X, Y), Z) > 0x1p30 || IS_FOUND(area_of(trunc(X), trunc(Y), trunc(Z))),
+     "the lengths were cut to whole numbers")
 ANSWERS(whole_area, trunc(AREA), "the area was cut to a whole number")
 ANSWERS(from_zero, area_of(in.max[0], in.max[1], in.max[2]),
         "that is as if every box began at 0: a length is max - min")

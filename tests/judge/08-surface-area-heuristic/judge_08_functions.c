@@ -79,8 +79,9 @@ static CostJob across_x(CostJob in)
 
 ANSWERS(by_edges, with_tests(tests_by(edges, in)),
         "that weighs by the lengths of edges: a ray in space meets a box by its surface")
-ANSWERS(by_volume, with_tests(tests_by(volume, in)),
-        "that weighs by volume: so a point meets a box, and not a ray")
+// Of a flat cell comes 0 / 0.
+EACH(by_volume, volume(in.box) == 0 || IS_FOUND(with_tests(tests_by(volume, in))),
+     "that weighs by volume: so a point meets a box, and not a ray")
 ANSWERS(both_in_full, with_tests(N_L + N_H),
         "both children count in full, as if every ray met both")
 ANSWERS(no_traversal, (SAH_TEST * TESTS),
@@ -255,7 +256,6 @@ ANSWERS(all_must, IS_DEEP &&IS_SMALL &&IS_DEAR, EACH_ENOUGH)
 ANSWERS(limit_and_cost, (IS_DEEP || IS_SMALL) && IS_DEAR, EACH_ENOUGH)
 ANSWERS(small_and_dear, IS_DEEP || (IS_SMALL && IS_DEAR), EACH_ENOUGH)
 ANSWERS(deep_and_dear, (IS_DEEP && IS_DEAR) || IS_SMALL, EACH_ENOUGH)
-ANSWERS(only_cost, IS_DEAR, "neither maxDepth nor targetElementsPerNode is looked at")
 ANSWERS(inverted, !IS_LEAF, "1 and 0 are swapped: 1 for a leaf")
 ANSWERS(limits_swapped,
         in.level >= in.targetElementsPerNode || (int64_t)in.n_spheres <= in.maxDepth || IS_DEAR,
@@ -272,11 +272,11 @@ EACH(both_cut,
      COST_CUT)
 
 static const Known *const leaf_known[] = {
-    &level_more,  &level_less,    &fewer,          &equal_is_split, &no_depth,      &no_target,
-    &no_cost,     &leaf_steps,    &tests_cost_1,   &reversed,       &both_limits,   &is_signed,
-    &leaf_cut,    &split_cut,     &both_cut,       &level_equal,    &target_equal,  &both_strict,
-    &split_steps, &all_must,      &limit_and_cost, &small_and_dear, &deep_and_dear, &only_cost,
-    &inverted,    &limits_swapped};
+    &level_more,     &level_less,     &fewer,         &equal_is_split, &no_depth,
+    &no_target,      &no_cost,        &leaf_steps,    &tests_cost_1,   &reversed,
+    &both_limits,    &is_signed,      &leaf_cut,      &split_cut,      &both_cut,
+    &level_equal,    &target_equal,   &both_strict,   &split_steps,    &all_must,
+    &limit_and_cost, &small_and_dear, &deep_and_dear, &inverted,       &limits_swapped};
 
 // ---- is_leaf_by_cost: answers -------------------------------------------------------------------
 

@@ -127,6 +127,10 @@ ONLY(near_start, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_start)
 ONLY(near_end, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_end)),
      "hits very near to the end of the ray count, too, without an epsilon")
 
+SPHERE(not_at_ends, between(in, sphere, LARGEST_EPSILON, in->t_max - LARGEST_EPSILON))
+ONLY(near_ends, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_ends)),
+     "hits very near to the start or to the end of the ray count, too, without an epsilon")
+
 // By which spheres are asked.
 #define FIRST in->node.first
 #define N in->node.n_spheres
@@ -165,6 +169,8 @@ ANSWERS(from_start, SOME_OF(0, N),
         "the first ids of the tree were asked: the leaf's begin at node.first")
 ANSWERS(one_more, SOME_OF(FIRST, N + 1),
         "one sphere too many was asked, the one behind the end of the leaf")
+ANSWERS(none_blocks, NO,
+        "no leaf blocks: does the loop come to the leaf's spheres, and is 1 returned?")
 ANSWERS(first_skipped, N > 0 ? SOME_OF(FIRST + 1, N - 1) : NO,
         "the leaf's first sphere was not asked")
 ANSWERS(last_skipped, N > 0 ? SOME_OF(FIRST, N - 1) : NO, "the leaf's last sphere was not asked")
@@ -173,10 +179,10 @@ ANSWERS(long_missed, i == LONG_LEAF ? NO : BLOCKS,
         "many they are nor 16 bits where they stand")
 
 static const Known *const known[] = {
-    &any_distance, &behind_end, &behind_or_miss,  &position,     &at_end,
-    &at_one,       &at_root,    &not_from_inside, &not_negative, &near_start,
-    &near_end,     &first_only, &last_only,       &all_must,     &hit_decides,
-    &from_start,   &one_more,   &first_skipped,   &last_skipped, &long_missed};
+    &any_distance, &behind_end,      &behind_or_miss, &position,   &at_end,   &at_one,
+    &at_root,      &not_from_inside, &not_negative,   &near_start, &near_end, &first_only,
+    &last_only,    &all_must,        &hit_decides,    &from_start, &one_more, &first_skipped,
+    &last_skipped, &long_missed,     &near_ends,      &none_blocks};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -191,7 +197,7 @@ static char *describe(const void *job, int i, const void *answers)
 }
 
 const Function block_09 = {"blocks", N_BLOCKS, sizeof(BlockAnswer),
-                           KNOWING(is_right, describe, known)};
+                           KNOWING(is_right, describe, known), .knows_constant = 1};
 #undef IS_FOUND
 
 // ---- How many are asked -------------------------------------------------------------------------
@@ -240,12 +246,15 @@ EACH(uncounted, IS_FOUND(0) && is_any_blocked(answers),
      "leaves block, but no call is counted: intersect_sphere counts, if `work` is passed on to it")
 EACH(unasked, IS_FOUND(0) && !is_any_blocked(answers),
      "no leaf blocks, and no sphere was asked: from where to where does the loop run?")
+ANSWERS(only_first, N > 0 ? 1 : 0,
+        "the loop ends after its first sphere: where that is not in the way, the next one is asked")
 EACH(one_late, BLOCKERS.is_unsure || IS_FOUND(BLOCKERS.first + 2 < N ? BLOCKERS.first + 2 : N),
      "one sphere more was asked after the one in the way: the search ends at once")
 ONLY(wrong_too, (found.is_blocked != 0) != (BLOCKERS.first < N),
      "the answer is wrong there, too: blocks-before and blocks-edges say more")
 
-static const Known *const early_known[] = {&asks_all, &uncounted, &unasked, &one_late, &wrong_too};
+static const Known *const early_known[] = {&asks_all, &uncounted, &unasked,
+                                           &one_late, &wrong_too, &only_first};
 
 static char *describe_early(const void *job, int i, const void *answers)
 {

@@ -92,6 +92,21 @@ SENDS(asks_twice,
 SENDS(uncounted, N_RAYS == 0,
       "no ray is counted: is_blocked is not asked, or `work` was not passed on to it")
 
+// Nothing comes of a light behind, and a ray is sent to it all the same.
+static int is_side_inverted(const Job09 *job, int i, const LitAnswer *found)
+{
+    const LitJob *in = lit_of(job, i);
+    const OracleSides sides = light_sides(job, i);
+    const int is_black = found->color.x == 0 && found->color.y == 0 && found->color.z == 0;
+    const u32 n_behind = (u32)in->n_lights - sides.n_before + sides.n_unsure;
+    return lit_09_counts_only(i) ||
+           (is_black && (i / N_LIT_INPUTS != 1 || found->n_leaves <= n_behind));
+}
+
+EACH(side_inverted, is_side_inverted(job, i, found),
+     "lights before the surface are left out, and those behind it are asked: the sign of the "
+     "cosine")
+
 // ---- Mistakes of the sum ------------------------------------------------------------------------
 
 // A light as a point sees it.
@@ -325,7 +340,8 @@ static const Known *const known[] = {
     &only_blocked,  &blocked_beyond, &all_or_none,   &all_by_first_ray, &side_by_position,
     &dark_left_out, &little_kd_lost, &grazing_5,     &grazing_9,        &grazing_15,
     &mean,          &falling,        &cosine_twice,  &kd_twice,         &adds_all,
-    &adds_rest,     &share_of_first, &last_arriving, &color_twice,      &cut};
+    &adds_rest,     &share_of_first, &last_arriving, &color_twice,      &cut,
+    &side_inverted};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

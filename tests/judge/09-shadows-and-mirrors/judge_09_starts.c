@@ -103,6 +103,8 @@ ANSWERS(signed_radius, offset_by(in->t, in->radius, largest_of(in->point)),
         "the radius may be negative: its size is added")
 ANSWERS(unsigned_sum, offset_by(0, fabs((double)in->t + in->radius), largest_of(in->point)),
         "the radius may be negative: it is its own size that counts, not that of its sum with t")
+ANSWERS(product, offset_by(in->t *size_of(in->radius) * largest_of(in->point), 0, 0),
+        "t, the radius and the coordinate were multiplied: their sum counts")
 ANSWERS(without_t, offset_by(0, size_of(in->radius), largest_of(in->point)),
         "t is missing in the sum")
 ANSWERS(without_radius, offset_by(in->t, 0, largest_of(in->point)),
@@ -218,7 +220,7 @@ static const Known *const known[] = {&unmoved,       &other_side,     &half,    
                                      &size_late,     &sign_of_z,      &one_share,   &by_coordinate,
                                      &signed_radius, &unsigned_sum,   &without_t,   &without_radius,
                                      &without_point, &only_t,         &only_radius, &only_point,
-                                     &same_distance, &least_distance, &too_far};
+                                     &same_distance, &least_distance, &too_far,     &product};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
