@@ -105,9 +105,11 @@ ANSWERS(just_outside, outside_by_01(in) > 0 && NEARER, TURNED)
 ANSWERS(either, COVERS || NEARER,
         "your answers are those of || between the two tests: both have to hold")
 ANSWERS(contrary, !(COVERS && NEARER), "1 and 0 are swapped")
-ANSWERS(cut_square,
-        is_within(in, trunc(squared(to_x(in)) + squared(to_y(in))), squared(in.circle.radius)),
-        "your answers are those of a distance² that was cut to a whole number")
+// What does not fit into an int becomes any number.
+#define SQUARE (squared(to_x(in)) + squared(to_y(in)))
+EACH(cut_square,
+     SQUARE >= 0x1p31 || IS_FOUND(is_within(in, trunc(SQUARE), squared(in.circle.radius))),
+     "your answers are those of a distance² that was cut to a whole number")
 ANSWERS(by_x, is_within(in, 2 * squared(to_x(in)), squared(in.circle.radius)),
         "your answers are those of dx² + dx²: y has no part in them")
 
