@@ -89,6 +89,10 @@ ANSWERS(by_two_radii, is_within(in, squared(to_x(in)) + squared(to_y(in)), 2.0 *
 ANSWERS(by_difference,
         is_within(in, squared(to_x(in)) - squared(to_y(in)), squared(in.circle.radius)),
         "your answers are those of dx² - dy²: the squares are added")
+ANSWERS(by_product,
+        is_within(in, ((double)in.x - in.circle.x) * ((double)in.y - in.circle.y),
+                  squared(in.circle.radius)),
+        "your answers are those of dx * dy: the distance² is dx² + dy²")
 ANSWERS(by_sums,
         is_within(in, squared((double)in.x + in.circle.x) + squared((double)in.y + in.circle.y),
                   squared(in.circle.radius)),
@@ -147,6 +151,9 @@ ONLY(boundary, outside_by_01(in) == 0 && !found,
 ONLY(little_outside, outside_by_01(in) > 0 && outside_by_01(in) < SMALL && found,
      "a pixel outside by however little is outside: no epsilon, and nothing rounded")
 
+ONLY(near_outside, outside_by_01(in) > 0 && outside_by_01(in) <= 1 && found,
+     "a pixel outside by however little is outside: no epsilon")
+
 // By so little that a root which is rounded to float, by up to 3 ulp (OpenCL 1.2, 7.4), may be the
 // reason, on whatever device.
 #define ROOTS_ERROR (16 * 0x1p-24)
@@ -174,15 +181,13 @@ ONLY(whole_differences,
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {
-    &from_middle,   &from_corner,    &from_right,    &from_left,
-    &from_below,    &from_above,     &square,        &diamond,
-    &by_radius,     &by_half,        &by_root,       &by_two_radii,
-    &by_difference, &by_sums,        &by_other_axis, &outside,
-    &just_outside,  &either,         &contrary,      &cut_square,
-    &by_x,          &by_amount,      &below_1,       &before_eye,
-    &farther,       &not_1,          &equal_depth,   &little_farther,
-    &not_nearer,    &little_nearer,  &no_radius,     &boundary,
-    &rounded_root,  &little_outside, &whole_centre,  &whole_differences,
+    &from_middle,   &from_corner,       &from_right, &from_left,     &from_below,     &from_above,
+    &square,        &diamond,           &by_radius,  &by_half,       &by_root,        &by_two_radii,
+    &by_difference, &by_product,        &by_sums,    &by_other_axis, &outside,        &just_outside,
+    &either,        &contrary,          &cut_square, &by_x,          &by_amount,      &below_1,
+    &before_eye,    &farther,           &not_1,      &equal_depth,   &little_farther, &not_nearer,
+    &little_nearer, &no_radius,         &boundary,   &rounded_root,  &little_outside, &near_outside,
+    &whole_centre,  &whole_differences,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

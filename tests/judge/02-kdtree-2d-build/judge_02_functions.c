@@ -197,6 +197,9 @@ ANSWERS(middle_added, LOW_END + MIDDLE, "the middle was added to the lower borde
 #define OTHER_MIDDLE "that is the middle of the other side's borders"
 ANSWERS(middle_of_x, (float)(((double)in.minX + in.maxX) / 2), OTHER_MIDDLE)
 ANSWERS(middle_of_y, (float)(((double)in.minY + in.maxY) / 2), OTHER_MIDDLE)
+#define OTHER_LOW "the middle was counted from the lower border of the other side"
+ANSWERS(y_from_min_x, OWN_SIDE == SIDE_Y ? in.minX + (HIGH_END - LOW_END) / 2 : MIDDLE, OTHER_LOW)
+ANSWERS(x_from_min_y, OWN_SIDE == SIDE_X ? in.minY + (HIGH_END - LOW_END) / 2 : MIDDLE, OTHER_LOW)
 #define WHOLE_LENGTH "the length of a side was made a whole number"
 ANSWERS(whole_length, LOW_END + truncf(HIGH_END - LOW_END) / 2, WHOLE_LENGTH)
 ANSWERS(whole_half, LOW_END + truncf((HIGH_END - LOW_END) / 2), WHOLE_LENGTH)
@@ -212,10 +215,14 @@ ONLY(swapped, IS_LOWER(1, MIDDLE) && IS_UPPER(0, MIDDLE), "left and right are sw
 ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
      "one half is right and the other is not: both have the border in the middle")
 
+#define OWN_BORDER (OWN_SIDE == SIDE_X ? found[0].maxX : found[0].maxY)
+ONLY(elsewhere, side != SIDE_NONE && IS_FOUND(OWN_BORDER),
+     "both halves have the same border, and it is not in the middle")
+
 static const Known *const known_of_middle[] = {
-    &half_of_max,  &behind_max,   &middle_added,   &middle_of_x, &middle_of_y,
-    &whole_length, &whole_half,   &half_the_width, &half_of_x,   &half_of_y,
-    &cut_to_whole, &rounded_down, &border_moved,   &swapped,     &one_right};
+    &y_from_min_x, &x_from_min_y, &half_of_max,  &behind_max,     &middle_added, &middle_of_x,
+    &middle_of_y,  &whole_length, &whole_half,   &half_the_width, &half_of_x,    &half_of_y,
+    &cut_to_whole, &rounded_down, &border_moved, &swapped,        &one_right,    &elsewhere};
 
 // Facts: with what is expected on the left, across the right side or across the student's.
 static char *describe_split(BBox2D box, const BBox2D found[2], BBox2D left)

@@ -101,6 +101,8 @@ LIST(count_of_8_bits, in.n_ids, KEPT(ID), n, ID, (n + 1) & 0xff,
 
 LIST(contrary, in.n_ids, !KEPT(ID), n, ID, n + 1,
      "these are the circles that do not overlap the cell")
+LIST(only_positions, in.n_ids, KEPT(j), n, j, n + 1,
+     "positions were asked and listed: ids[] says which circles these are", MISTAKE_MISSING_IN_CELL)
 LIST(everyone, in.n_ids, 1, n, ID, n + 1,
      "every circle of the node is listed, whether or not it overlaps the cell")
 LIST(without_first, in.n_ids - (in.n_ids > 0), KEPT(in.ids[j + 1]), n, in.ids[j + 1], n + 1,
@@ -125,6 +127,15 @@ static u32 n_leading(const Job02 *job, ListCall call)
 LIST(ends_at_other, n_leading(all, in), 1, n, ID, n + 1,
      "the loop ends at the first circle that does not overlap: later ones may",
      MISTAKE_MISSING_IN_CELL)
+
+static u32 gaps_counted_list(const Job02 *all, ListCall in, u32 *list)
+{
+    with_gaps_list(all, in, list);
+    return in.n_ids;
+}
+
+EACH(gaps_counted, is_list(all, in, found, gaps_counted_list),
+     "ids stand at the position that they have in ids[]: the child's list has no gaps")
 
 static u32 count_first_list(const Job02 *all, ListCall in, u32 *list)
 {
@@ -202,12 +213,11 @@ ONLY(ends_early, N_FOUND > 0 && N_FOUND < KEPT_OF.n && KEPT_OF.n_in_place == N_F
 ONLY(lost, IS_LOST(KEPT_OF), NULL, MISTAKE_MISSING_IN_CELL)
 
 static const Known *const known_lists[] = {
-    &from_the_back,   &asks_position, &lists_position, &counted_on,
-    &all_between,     &with_gaps,     &by_centre,      &count_of_8_bits,
-    &contrary,        &everyone,      &without_first,  &without_last,
-    &from_position_1, &all_at_0,      &ends_at_other,  &count_first,
-    &empty_asked,     &end_marked,    &reordered,      &equal_missing,
-    &miscounted,      &ends_early,    &lost,
+    &from_the_back, &asks_position, &lists_position,  &counted_on,   &all_between,
+    &with_gaps,     &by_centre,     &count_of_8_bits, &contrary,     &only_positions,
+    &gaps_counted,  &everyone,      &without_first,   &without_last, &from_position_1,
+    &all_at_0,      &ends_at_other, &count_first,     &empty_asked,  &end_marked,
+    &reordered,     &equal_missing, &miscounted,      &ends_early,   &lost,
 };
 
 static char *describe_list(const void *job, int i, const void *answers)

@@ -92,6 +92,9 @@ ANSWERS(min_for_max,
     "two"
 ANSWERS(max_for_min, covers(circle, box.maxX, box.maxY),
         "your answers are those of fmin and fmax in each other's places")
+#define ONE_SIDE "your answers are those of one border of each axis alone: a cell has two"
+ANSWERS(lower_alone, circle.x + RADIUS >= box.minX && circle.y + RADIUS >= box.minY, ONE_SIDE)
+ANSWERS(upper_alone, circle.x - RADIUS <= box.maxX && circle.y - RADIUS <= box.maxY, ONE_SIDE)
 ANSWERS(contrary, !OVERLAPS, "1 and 0 are swapped: 1 means that they overlap")
 ANSWERS(half_radius, 4 * D2 <= RADIUS * RADIUS, "your answers are those of half the radius")
 ANSWERS(twice_radius, D2 <= 4 * RADIUS * RADIUS, "your answers are those of twice the radius")
@@ -127,11 +130,11 @@ ONLY(level, !found && (reach.outside[0] == 0 || reach.outside[1] == 0),
      "where the centre is between two opposite borders, the distance on that axis is 0")
 
 static const Known *const known[] = {
-    &just_1_and_0, &by_centre,     &by_open_centre, &corners,      &with_centre,
-    &with_tips,    &middle,        &border,         &min_for_max,  &max_for_min,
-    &contrary,     &half_radius,   &twice_radius,   &subtracted,   &one_is_enough,
-    &whole_border, &by_min,        &by_max,         &y_by_max_x,   &y_by_x,
-    &x_by_y,       &circle_around, &square,         OVERLAP_KNOWN, &level,
+    &just_1_and_0, &by_centre,    &by_open_centre, &corners,     &with_centre,   &with_tips,
+    &middle,       &border,       &min_for_max,    &max_for_min, &lower_alone,   &upper_alone,
+    &contrary,     &half_radius,  &twice_radius,   &subtracted,  &one_is_enough, &whole_border,
+    &by_min,       &by_max,       &y_by_max_x,     &y_by_x,      &x_by_y,        &circle_around,
+    &square,       OVERLAP_KNOWN, &level,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

@@ -90,6 +90,9 @@ static double radius_of(Circle circle, const OracleRules *rules)
 static int covers(Circle circle, double x, double y, const OracleRules *rules)
 {
     const double radius = radius_of(circle, rules);
+    if (rules->covers_all) {
+        return 1;
+    }
     if (rules->squares) {
         return fmax(fabs(x - circle.x), fabs(y - circle.y)) <= radius;
     }
@@ -168,7 +171,8 @@ void oracle2d_draw(const Circle *circles, int n_circles, const OracleRules *rule
     }
     // Every pixel asks every circle in the right picture, where all circles count, and where memory
     // lacks; else those that reach its row.
-    const int asks_all = ambiguous != NULL || limits_all(rules) || rules->ends_at_miss;
+    const int asks_all =
+        ambiguous != NULL || limits_all(rules) || rules->ends_at_miss || rules->covers_all;
     u32 *ids = asks_all ? NULL : malloc(n * sizeof *ids + 1);
     for (int v = 0; v < image->height; v++) {
         const double y = v + rules->sample_offset;

@@ -40,6 +40,7 @@ typedef struct OracleRules {
     int clear_is_hidden;   // circles with alpha 0 are never taken
     int ends_at_0;         // none is asked behind one that is taken at depth 0 or less
     int ends_at_miss;      // nor behind one that does not take the pixel
+    int covers_all;        // every circle covers every pixel
     int first_is_nobody;   // a pixel of circle 0 is left background
     int all_limit;         // circles that cover nothing lower minDepth, too
     int last_limits;       // minDepth is the depth of the one before, whether that covers or not

@@ -194,6 +194,8 @@ static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Ima
     "transparent"
 #define ENDS_AT_MISS                                                                               \
     "drawn as if the loop ended at the first circle that does not take the pixel: later ones may"
+#define COVERS_ALL                                                                                 \
+    "drawn as if every circle that is tested gave its colour, whether or not it takes the pixel"
 #define UNCOVERING "drawn as if minDepth changed at circles that do not cover the pixel, too"
 #define FIRST_LIST                                                                                 \
     "drawn as if every pixel read the list at the start of mapNode2Circles: a leaf's ids begin "   \
@@ -256,6 +258,7 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
         {{.says = "drawn as if transparent circles were none: the nearest circle takes the pixel, "
                   "alpha included"},
          {.clear_is_hidden = 1}},
+        {{.says = COVERS_ALL}, {.covers_all = 1, .ignore_depth = 1}},
         {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
         {{.says = UNCOVERING}, {.all_limit = 1}},
         {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
@@ -271,6 +274,7 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
          {.skip_first = 1}},
         {{"drawn as if the last circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
          {.skip_last = 1}},
+        {{.says = COVERS_ALL}, {.covers_all = 1, .ignore_depth = 1}},
         {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
         {{.says = UNCOVERING}, {.all_limit = 1}},
         {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
