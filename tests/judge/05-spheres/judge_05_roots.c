@@ -144,6 +144,9 @@ ANSWERS(t_min_is_0, hit(in, ENTERS(0), LEAVES(0)), "t_min is the ray's, and need
 EACH(behind_missed, fabs(in.b) <= in.error || IS_FOUND(in.b < 0 ? INFINITY : HIT),
      "the centre is behind the eye, which does not matter where the eye is inside")
 
+ANSWERS(inside_missed_of_positive, hit(in, ENTERS(in.t_min), in.radius < 0 && LEAVES(in.t_min)),
+        "from inside the second root is the hit: b + sqrt(disc)")
+
 // Of nearest_root only.
 ANSWERS(t_min_counts, hit(in, in.radius > 0 && in.t_near >= in.t_min, in.t_far >= in.t_min),
         "t_min itself does not count")
@@ -251,19 +254,19 @@ static int comes_of_stand_in(const Inputs05 *inputs, Line in, double b, double d
                              : disc >= -doubt && found >= least - error && found <= most + error;
 }
 
-// Of what is handed to nearest_root. Small spheres far away tell nothing of it: float may find the
-// disc positive or negative.
+// Of what is handed to nearest_root. Small spheres far away tell nothing of it, as float may find
+// the disc positive or negative: with them any answer may come of it.
 static int comes_of(const Inputs05 *inputs, Line in, double b, double disc, float found)
 {
     const double doubt = 0x1p-18 * (b * b + in.c2), half = sqrt(fmax(disc, 0));
     if (inputs->root != NULL) {
-        return fabs(in.radius) > 1e-3 * sqrt(in.c2) &&
+        return fabs(in.radius) <= 1e-3 * sqrt(in.c2) ||
                comes_of_stand_in(inputs, in, b, disc, doubt, found);
     }
     in.is_miss = disc < 0, in.is_doubtful = fabs(disc) <= doubt;
     in.b = b, in.t_near = b - half, in.t_far = b + half;
     in.error = in.is_doubtful ? sqrt(doubt) : 1e-4 * (fabs(b) + half);
-    return fabs(in.radius) > 1e-3 * sqrt(in.c2) && IS_FOUND(HIT);
+    return fabs(in.radius) <= 1e-3 * sqrt(in.c2) || IS_FOUND(HIT);
 }
 
 #define C (in.c2 - in.radius * in.radius)
@@ -293,6 +296,15 @@ EACH(radius_as_it_is, comes_of(inputs, in, in.b, in.radius - in.c2 + in.b * in.b
      "the radius is not squared")
 EACH(radius_less_way, comes_of(inputs, in, in.b, pow(LESS_WAY, 2), found),
      "the square of r - |l| is never negative: the difference is that of squares")
+EACH(unsquared, comes_of(inputs, in, in.b, in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)), found),
+     "neither the radius nor the length of l is squared")
+EACH(way_added, comes_of(inputs, in, in.b, -C - 3 * in.b * in.b, found),
+     "l: the part along the ray was added to the way to the centre: it is taken off")
+EACH(b_unsquared, comes_of(inputs, in, in.b, in.b - C, found),
+     "b is not squared: the discriminant is b² - c")
+EACH(disc_of_whole_b, comes_of(inputs, in, in.b, 4 * in.disc, found),
+     "disc is four times as large: b² - 4 c goes with the whole b of the equation, and with half "
+     "of it b² - c")
 EACH(disc_turned, comes_of(inputs, in, in.b, -in.disc, found), "disc has the wrong sign")
 
 // The textbook's form is so far off with small spheres far away that any answer could be its: it
@@ -321,23 +333,26 @@ EACH(lost_afar, in.is_afar || is_right_hit(&inputs->spheres[i], inputs->form, fo
 ONLY(missed, found == INFINITY,
      "other hits are right, and nothing but a negative disc and t_min makes a miss")
 
-static const Known *const known_of_root[] = {&touching_missed,  &farther,        &any_distance,
-                                             &negative_missed,  &inside_missed,  &sign_ignored,
-                                             &t_min_is_0,       &behind_missed,  &negative_always,
-                                             &t_min_counts,     &entry_at_t_min, &exit_unasked,
-                                             &disc_by_hair,     &beyond_by_hair, &entry_by_hair,
-                                             &part_begins,      &disc_unrooted,  &quarter_chord,
-                                             &size_of_disc,     &largest_float,  &zero,
-                                             &root_of_negative, &missed};
+static const Known *const known_of_root[] = {
+    &touching_missed,  &farther,        &any_distance,
+    &negative_missed,  &inside_missed,  &sign_ignored,
+    &t_min_is_0,       &behind_missed,  &negative_always,
+    &t_min_counts,     &entry_at_t_min, &exit_unasked,
+    &disc_by_hair,     &beyond_by_hair, &entry_by_hair,
+    &part_begins,      &disc_unrooted,  &quarter_chord,
+    &size_of_disc,     &largest_float,  &zero,
+    &root_of_negative, &missed,         &inside_missed_of_positive};
 static const Known *const known_of_sphere[] = {
     &touching_missed, &farther,        &any_distance,    &negative_missed, &inside_missed,
     &sign_ignored,    &t_min_is_0,     &behind_missed,   &negative_always, &b_turned,
     &b_turned_in_l,   &both_undivided, &disc_halved,     &four_times_c,    &c_turned,
     &b_doubled,       &way_kept,       &length_as_it_is, &radius_as_it_is, &radius_less_way,
-    &disc_turned,     &textbook_form,  &lost_afar,       &missed};
+    &disc_turned,     &textbook_form,  &lost_afar,       &missed,          &unsquared,
+    &way_added,       &b_unsquared,    &disc_of_whole_b};
 static const Known *const known_alone[] = {
     &b_turned,  &b_turned_in_l, &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,
-    &b_doubled, &way_kept,      &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned};
+    &b_doubled, &way_kept,      &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned,
+    &unsquared, &way_added,     &b_unsquared,     &disc_of_whole_b};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -76,6 +76,9 @@ ANSWERS(turned_by_place, turned(along_ray(in, vector_of(in->point)) > 0, OUTWARD
 ANSWERS(by_radius, vector_scaled(DISTANCE / fabs(in->sphere.radius), NORMAL),
         "it was divided by the radius: where float rounds the point, that is not how far the "
         "centre is, and the normal is no unit vector")
+ANSWERS(by_signed_radius, vector_scaled(1 / (double)in->sphere.radius, outwards(in)),
+        "it was divided by the radius, whose sign turned it: the dot product with the direction "
+        "decides, and float rounds the point")
 #define FROM_ORIGIN vector_unit(vector_of(in->point))
 EACH(centre_forgotten,
      vec3_length(in->point) == 0 || IS_FOUND(turned(along_ray(in, FROM_ORIGIN) > 0, FROM_ORIGIN)) ||
@@ -88,10 +91,10 @@ ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
      "was multiplied by it")
 
 static const Known *const known_normals[] = {
-    &long_normal,     &long_outwards, &not_turned,       &inwards,       &turned_away,
-    &turned_late,     &turned_early,  &late_by_hair,     &early_by_hair, &turned_by_radius,
-    &turned_by_place, &by_radius,     &centre_forgotten, &short_kept,    &vanishes,
-};
+    &long_normal,      &long_outwards,    &not_turned,      &inwards,
+    &turned_away,      &turned_late,      &turned_early,    &late_by_hair,
+    &early_by_hair,    &turned_by_radius, &turned_by_place, &by_radius,
+    &centre_forgotten, &short_kept,       &vanishes,        &by_signed_radius};
 
 static char *describe_normal(const void *job, int i, const void *answers)
 {
@@ -263,6 +266,8 @@ static OracleNear relit(const ShadeJob *in, const Light *lights, LightColor *col
     ANSWERS(name, relit(&in, lights, name##_color), sentence)
 #define WAY vec3_length(vec3_minus(light.position, in->point))
 
+RELIT(falling_and_long, vec3_scaled(light.color, 1 / WAY),
+      "light does not fall with the distance here, and the cosine is that of a unit vector")
 RELIT(way_not_unit, vec3_scaled(light.color, WAY), "the way to the light is not made a unit vector")
 RELIT(falls, vec3_scaled(light.color, 1 / (WAY * WAY)),
       "the light falls with the square of the distance, and must not")
@@ -342,14 +347,13 @@ ANSWERS(decoded, bent(SHADED, 2.2),
         MISTAKE_GAMMA)
 
 static const Known *const known_shades[] = {
-    &not_clamped,    &lit_behind,     &way_turned,       &sum_clamped,  &first_only,
-    &first_4,        &first_8,        &first_16,         &first_32,     &first_64,
-    &first_128,      &first_256,      &last_only,        &one_more,     &stops_behind,
-    &from_origin,    &kd_missing,     &color_missing,    &way_not_unit, &falls,
-    &no_light_color, &light_red_only, &light_cut_at_1,   &kd_each_time, &brightest_only,
-    &mean,           &cut_at_1,       &highlight,        &swapped,      &encoded,
-    &decoded,        &no_cosine,      &no_cosine_before,
-};
+    &not_clamped,    &lit_behind,     &way_turned,       &sum_clamped,     &first_only,
+    &first_4,        &first_8,        &first_16,         &first_32,        &first_64,
+    &first_128,      &first_256,      &last_only,        &one_more,        &stops_behind,
+    &from_origin,    &kd_missing,     &color_missing,    &way_not_unit,    &falls,
+    &no_light_color, &light_red_only, &light_cut_at_1,   &kd_each_time,    &brightest_only,
+    &mean,           &cut_at_1,       &highlight,        &swapped,         &encoded,
+    &decoded,        &no_cosine,      &no_cosine_before, &falling_and_long};
 
 static char *describe_shade(const void *job, int i, const void *answers)
 {

@@ -278,6 +278,10 @@ PARTS(parts_swapped, with_ends(NEAR, FAR.t_min, T_MAX), with_ends(FAR, T_MIN, NE
 PARTS(far_from_high, NEAR, far_from(in, fmaxf(T_MIN, HIGH)), FAR_BEGINS_LATE)
 PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BEGINS_LATE)
 
+PARTS(parts_crossed, near_to(in, fminf(T_MAX, LOW)), far_from(in, fmaxf(T_MIN, HIGH)),
+      "the least and the greatest t_split are swapped: the near child's part ends at the greatest, "
+      "the far child's begins at the least")
+
 #define ONE_IS_ENOUGH                                                                              \
     "that is as if both children were always visited: where t_split is beyond the whole part, or " \
     "before it, one of them is enough"
@@ -310,7 +314,7 @@ static const Known *const known[] = {
     &far_widened,   &both_uncut,       &both_whole,      &both_widened,    &far_ends,
     &far_cut_too,   &parts_swapped,    &far_from_high,   &far_from_end,    &both_always,
     &always_whole,  &always_uncut,     &far_alone,       &near_alone,      &far_dropped,
-    &both_wait};
+    &both_wait,     &parts_crossed};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

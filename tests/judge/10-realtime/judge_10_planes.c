@@ -287,6 +287,17 @@ ANSWERS(never_for_all, ends_if(in, isinf(ENDS.low) || isinf(ENDS.high), INFINITY
 ANSWERS(parallel_any, ends_if(in, in->low == in->high, 0, INFINITY), PARALLEL)
 ANSWERS(parallel_slow, ends_if(in, in->low == in->high && IS_SLOW, 0, INFINITY), PARALLEL)
 
+// Only the first ray was asked whether it meets the plane: the last one's distance is a quotient.
+static Ends last_unasked(const TilePlaneJob *in)
+{
+    const Ends ends = ENDS;
+    return isinf(ends.low) ? ends : (Ends){ends.low, by(in, quotient).high};
+}
+
+ANSWERS(unasked_last, last_unasked(in),
+        "only the first ray is asked whether it goes to the plane: the last one may never meet it, "
+        "and is to be asked, too")
+
 static const Known *const known[] = {
     &backwards,        &from_0,         &upside_down,     &multiplied,
     &minus_infinity,   &never_from_0,   &never_is_large,  &along_first,
@@ -296,7 +307,8 @@ static const Known *const known[] = {
     &bare_low_guarded, &small_is_0,     &ends_swapped,    &ends_of_one_side,
     &one_end,          &eye_never,      &eye_at_0,        &eye_from_0,
     &eye_is_upper,     &eye_near,       &eye_nearer,      &both_ways_never,
-    &both_ways_always, &never_for_all,  &parallel_any,    &parallel_slow};
+    &both_ways_always, &never_for_all,  &parallel_any,    &parallel_slow,
+    &unasked_last};
 
 // ---- Answers ------------------------------------------------------------------------------------
 
