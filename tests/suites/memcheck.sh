@@ -39,7 +39,7 @@ finds() {
     at=$(field "$1" at)
     line=$(grep -n -F "${at:-// HERE}" "$file" | cut -d : -f 1)
     memchecks 1 "$lab" "$scratch/submission" &&
-        grep -q "^$(basename "$file"):$line: $(field "$1" says)" "$scratch/said"
+        grep -q -F "$(basename "$file"):$line: $(field "$1" says)" "$scratch/said"
 }
 
 for lab in $(heart 01-naive-2d "$(cd solutions && printf '%s\n' *)"); do
