@@ -15,7 +15,7 @@ $(MEMCHECK)/obj/%.c.o: %.c $(FLAG_FILES) $(MEMCHECK)/ready
 	$(call compile,clang $(filter-out -fsanitize%,$(CFLAGS)) -fPIC -DNATIVE_CACHE='"out"' -DNATIVE_HEADER='"lib/kernels.h"' \
 	    -DNATIVE_FAULT='"out/fault"', for memcheck)
 $(MEMCHECK)/address.o: SANITIZER = address
-$(MEMCHECK)/memory.o: SANITIZER = memory -fsanitize-memory-track-origins
+$(MEMCHECK)/memory.o: SANITIZER = memory -fsanitize-memory-track-origins -mllvm -msan-eager-checks=0
 $(MEMCHECK)/address.o $(MEMCHECK)/memory.o: tests/native/builtins.cl tests/native/kernels.h $(FLAG_FILES) $(MEMCHECK)/ready
 	$(call say,compile $< for memcheck)clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header \
 	    -Xclang -fdeclare-opencl-builtins $(WARNINGS) -O0 -g -fno-omit-frame-pointer -fPIC -ffp-contract=off -fsanitize=$(SANITIZER) -c $< -o $@

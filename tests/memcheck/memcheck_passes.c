@@ -32,7 +32,7 @@ enum { PASS_SECONDS = 15 };
 #define COMMON_OPTIONS                                                                             \
     "log_path=out/report:color=never:handle_abort=1:handle_sigfpe=1:handle_sigill=1:"              \
     "handle_sigbus=1:allocator_may_return_null=1:allow_addr2line=1:"                               \
-    "external_symbolizer_path=/usr/bin/addr2line"
+    "external_symbolizer_path=/usr/bin/addr2line:fast_unwind_on_fatal=1"
 
 // What both passes compile kernels with: not optimised, as a read whose value nobody needs is a
 // fault, too, and a value that was never set would be whatever makes the code short.

@@ -17,6 +17,7 @@
 #include "path.h"
 
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +27,7 @@
 #define SET_FIRST "Give it a value before it is read, on every way through the code."
 
 // A variable's name, cut off where it is longer.
-enum { NAME_BYTES = 48 };
+enum { NAME_BYTES = 48, INDEX_BYTES = 48 };
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"
 
 static void say(Finding *finding, const char *to_do, const char *format, ...)
@@ -56,23 +57,32 @@ static void quoted_name(const char *begin, char name[NAME_BYTES])
     snprintf(name, NAME_BYTES, "%.*s", (int)length, quote != NULL ? quote + 1 : "");
 }
 
+// An index; one that was a negative `uint` in its program is told as that, too.
+static void index_write(long index, char text[INDEX_BYTES])
+{
+    const int is_wrapped = index > INT32_MAX && index <= UINT32_MAX;
+    snprintf(text, INDEX_BYTES, is_wrapped ? "%ld (%ld as a uint)" : "%ld", index,
+             index - (long)UINT32_MAX - 1);
+}
+
 // ---- What it is ---------------------------------------------------------------------------------
 
 // A memory object's array, by the place.
 static int says_array(Finding *finding, const char *report, const char *place)
 {
     const char *array = strstr(place, "array ");
-    char name[NAME_BYTES];
+    char name[NAME_BYTES], index[INDEX_BYTES];
     long entry, n;
     if (array == NULL || sscanf(array, "array %47[A-Za-z0-9_] %ld %ld", name, &entry, &n) != 3) {
         return 0;
     }
+    index_write(entry, index);
     if (n == 1) {
-        say(finding, CHECK_INDEX, "%s %s[%ld], but `%s` has one entry, %s[0]", does(report), name,
-            entry, name, name);
+        say(finding, CHECK_INDEX, "%s %s[%s], but `%s` has one entry, %s[0]", does(report), name,
+            index, name, name);
     } else {
-        say(finding, CHECK_INDEX, "%s %s[%ld], but `%s` has %ld entries, 0 to %ld", does(report),
-            name, entry, name, n, n - 1);
+        say(finding, CHECK_INDEX, "%s %s[%s], but `%s` has %ld entries, 0 to %ld", does(report),
+            name, index, name, n, n - 1);
     }
     return 1;
 }
@@ -82,13 +92,15 @@ static int says_undefined(Finding *finding, const char *report)
 {
     static const char mark[] = "runtime error: ";
     const char *error = strstr(report, mark);
-    long index, n;
+    char index[INDEX_BYTES];
+    long entry, n;
     if (error == NULL) {
         return 0;
     }
     error += strlen(mark);
-    if (sscanf(error, "index %ld out of bounds for type '%*[^[][%ld]'", &index, &n) == 2) {
-        say(finding, CHECK_INDEX, "uses index %ld of an array of %ld entries, 0 to %ld", index, n,
+    if (sscanf(error, "index %ld out of bounds for type '%*[^[][%ld]'", &entry, &n) == 2) {
+        index_write(entry, index);
+        say(finding, CHECK_INDEX, "uses index %s of an array of %ld entries, 0 to %ld", index, n,
             n - 1);
     } else if (strncmp(error, "division by zero", strlen("division by zero")) == 0) {
         say(finding, "Ask whether the divisor is 0 before you divide.", "divides by zero");

@@ -1,8 +1,8 @@
 // Memory objects and launches under clang's address or memory sanitizer (native_cl.h): what
 // `make memcheck` links in the place of plain.c.
 //
-// A memory object has its bytes in the middle of a slot of 128 GB of addresses, none of which may
-// be touched but these: an index of an `int` that is too large or negative ends there. If the
+// A memory object has its bytes in the middle of a slot of 256 GB of addresses, none of which may
+// be touched but these: any index of 32 bits that is too large or negative ends there. If the
 // program ends for a fault, a file says which array that was, which entry, and which work-item.
 //
 // Read next: launch.c.
@@ -20,7 +20,7 @@
 
 // NATIVE_FAULT is from the makefile: the file that says where it was.
 
-#define SLOT_BYTES ((size_t)1 << 37)
+#define SLOT_BYTES ((size_t)1 << 38)
 #define PAGE_BYTES ((size_t)4096)
 
 // What lies this near below the frame of a launch was a kernel's stack.

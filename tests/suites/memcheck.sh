@@ -39,7 +39,7 @@ finds() {
     at=$(field "$1" at)
     line=$(grep -n -F "${at:-// HERE}" "$file" | cut -d : -f 1)
     memchecks 1 "$lab" "$scratch/submission" &&
-        grep -q "^$(basename "$file"):$line: $(field "$1" says)" "$scratch/said"
+        grep -q -F "$(basename "$file"):$line: $(field "$1" says)" "$scratch/said"
 }
 
 for lab in $(heart 01-naive-2d "$(cd solutions && printf '%s\n' *)"); do
@@ -74,6 +74,18 @@ check "where there is nothing to look at, that is said" memchecks 2 01 "$scratch
 check "for each file" grep -q "^overlaps_N_Nearer.cl: not in the submission" "$scratch/said"
 
 heart_ends
+
+# Without clang, or without its sanitizers, make says which packages have them.
+mkdir "$scratch/bare"
+# shellcheck disable=SC2016 # for the script that is written
+printf '#!/bin/sh\ncase "$*" in *=memory*) exit 1 ;; esac\n' >"$scratch/bare/clang"
+chmod +x "$scratch/bare/clang"
+# shellcheck disable=SC2317 # called by check
+without_sanitizers() {
+    ! PATH=$scratch/bare:$PATH make -s BUILD="$scratch/empty" "$scratch/empty/memcheck/ready" >"$scratch/said" 2>&1
+}
+check "without clang's sanitizers nothing is tried" without_sanitizers
+check "and the packages are named" grep -q "install the packages clang and libclang-rt-dev" "$scratch/said"
 
 # answer FILE TASK <ANSWER: put it into the submission.
 answer() {

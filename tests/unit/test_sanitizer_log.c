@@ -44,6 +44,8 @@ Test(sanitizer_log, an_array_is_told_with_its_entries)
            "reads circles[4], but `circles` has 4 entries, 0 to 3");
     expect(read, "", "array circles -1 4\n",
            "reads circles[-1], but `circles` has 4 entries, 0 to 3");
+    expect(read, "", "array circles 4294967295 4\n",
+           "reads circles[4294967295 (-1 as a uint)], but `circles` has 4 entries, 0 to 3");
     expect(write, "", "array d_work 1 1\n",
            "writes d_work[1], but `d_work` has one entry, d_work[0]");
 }

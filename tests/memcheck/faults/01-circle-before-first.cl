@@ -4,7 +4,7 @@
 // says: reads circles[-1], but `circles` has
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
-        if (i >= 0 && circles[i - 1].depth == circles[i].depth) {  // HERE
+        if (circles[i - 1].depth == circles[i].depth) {  // HERE
             continue;
         }
         if (overlaps_N_Nearer(x, y, circles[i], minDepth, &work)) {

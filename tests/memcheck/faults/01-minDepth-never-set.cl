@@ -1,7 +1,7 @@
 // fault: minDepth is never set before it is compared
 // lab: 01-naive-2d
 // task: implicit2DRenderer
-// says: decides by a value that was never set
+// says: uses a value that was never set, of `minDepth`
     float minDepth;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];

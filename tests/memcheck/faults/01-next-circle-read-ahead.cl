@@ -1,7 +1,7 @@
 // fault: the next circle is read ahead of its turn, also behind the last one
 // lab: 01-naive-2d
 // task: implicit2DRenderer
-// says: reads outside of a buffer
+// says: reads circles[120], but `circles` has 120 entries, 0 to 119
     float minDepth = INFINITY;
     Circle next = circles[0];
     for (int i = 0; i < n_circles; i++) {

@@ -1,7 +1,7 @@
 // fault: the leaf's list is copied to an array that is too short for it
 // lab: 03-kdtree-2d-render
 // task: leaf_loop
-// says: writes outside of an array
+// says: uses index 4 of an array of 4 entries, 0 to 3
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

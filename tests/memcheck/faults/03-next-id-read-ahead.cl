@@ -1,7 +1,7 @@
 // fault: the next id is read ahead of its turn, also behind the last list
 // lab: 03-kdtree-2d-render
 // task: leaf_loop
-// says: reads outside of a buffer
+// says: reads mapNode2Circles[
     float minDepth = INFINITY;
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];

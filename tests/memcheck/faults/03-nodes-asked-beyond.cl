@@ -1,7 +1,7 @@
 // fault: the child behind the last one is asked
 // lab: 03-kdtree-2d-render
 // task: leaf_loop
-// says: reads outside of a buffer
+// says: reads circles[
     const uint offset = nodes_Relations[id].circleMapOffset;
     const uint n_circles = mapNode2Circles[offset];
     for (uint i = 1; i <= n_circles; i++) {

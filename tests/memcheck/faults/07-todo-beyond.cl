@@ -1,7 +1,7 @@
 // fault: keeps the far child behind the end of the stack
 // lab: 07-kdtree-3d-trace
 // task: next_child
-// says: writes outside of an array
+// says: uses index 
     const uint side = near_side(node, origin, inverse);
     const uint near_child = side ? node.first + 1 : node.first;
     const uint far_child = side ? node.first : node.first + 1;
