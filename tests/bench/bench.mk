@@ -51,4 +51,6 @@ bench:  ## install what is missing, measure naive against kd-tree in 2D and 3D, 
 	@for bench in $(BENCHES); do \
 	    $(OUT)/tools/$$bench --output $(OUT)/bench $(if $(DEVICE),--device "$$DEVICE") \
 	        $(if $(ROUNDS),--rounds "$$ROUNDS") || exit 1; done
+	@$(MAKE) --no-print-directory all native
+	@ROUNDS="$${ROUNDS:-5}" tests/bench/bench_watch.sh $(OUT)/bench
 	@tests/bench/tables.sh $(OUT)/bench

@@ -7,7 +7,7 @@
 # tables.sql, and writes its medians into medians.tsv and the plots beside it. Run it in the top folder.
 set -e
 folder=${1:-build/bench}
-measured=$(cd "$folder" && ls bench2d.csv bench3d.csv bench_tricks.csv bench_builds.csv 2>/dev/null) || true
+measured=$(cd "$folder" && ls bench2d.csv bench3d.csv bench_tricks.csv bench_builds.csv bench_watch.csv 2>/dev/null) || true
 if [ -z "$measured" ]; then
     echo "tables.sh: $folder: found no CSV file of a bench" >&2
     exit 1

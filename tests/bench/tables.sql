@@ -216,3 +216,11 @@ SELECT quantity, what, law, printf('%.2f', a * unit) AS a, printf('%.2f', b * un
        printf('%.0f %%', 100 * max(off)) AS 'off by'
 FROM laws JOIN (SELECT 'build' AS quantity, 1e6 AS unit UNION VALUES ('handed on', 1)) USING (quantity)
 GROUP BY quantity, what, law;
+
+.print From a save to the verdict of make watch, in ms: median (smallest to largest), processor time, and until PoCL has judged
+SELECT substr(scene, 7) AS lab, what,
+       max(printf('%.0f (%.0f to %.0f)', median, smallest, largest)) FILTER (WHERE quantity = 'verdict') AS verdict,
+       max(printf('%.0f', median)) FILTER (WHERE quantity = 'verdict, processor') AS processor,
+       max(printf('%.0f', median)) FILTER (WHERE quantity = 'round') AS PoCL,
+       max(printf('%.0f', median)) FILTER (WHERE quantity = 'round, processor') AS 'PoCL, processor'
+FROM medians WHERE scene LIKE 'watch %' GROUP BY scene, what ORDER BY scene, what DESC;
