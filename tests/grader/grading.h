@@ -20,8 +20,8 @@ typedef struct Grading {
     Variant kernels;  // its kernels with host files as they are handed out
     Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
-    int passes_beside[RESULT_MAX_CHECKS];  // without what stands beside the answers: try_together()
-    int is_replaced[MANIFEST_MAX_FILES];   // this file could not be used
+    int passes_beside[RESULT_MAX_CHECKS];        // without what stands beside the answers
+    int is_replaced[MANIFEST_MAX_FILES];         // this file could not be used
     int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out, or was not tried
     int has_no_time;       // answers are left that were not tried alone: all tries took too long
     int has_line;          // the report says at which line of a host file it crashed
@@ -51,6 +51,11 @@ int grading_retry(Grading *grading);
 // Try each answer that failed alone, and let its task have the points that it earns there where
 // another answer is to blame for what it lost in the whole. Returns 0, or -1 after one message.
 int grading_try_alone(Grading *grading);
+
+// Let all answers run together once more, without what stands beside them: which checks pass then
+// is noted, and told where it is more than in the whole (grading_together.c). Returns 0, or -1
+// after one message.
+int grading_try_together(Grading *grading);
 
 // The student's answer to a task: what stands in its hole, or NULL when the markers are gone. Owned
 // by the caller.

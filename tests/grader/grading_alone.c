@@ -406,38 +406,6 @@ static int is_nobodys(const Grading *grading, const int is_task_wrong[])
     return n_found > 0;
 }
 
-// Let all answers run together once more, without what stands beside them. Returns 0, or -1 after
-// one message.
-static int try_together(Grading *grading)
-{
-    char folder[PATH_MAX];
-    Variant together = {0};
-    Variant *const variants[] = {&together};
-    int n_saved = 0;
-    own_folder(grading, folder);
-    int result = answers_fill(&grading->session, "together", folder, &together);
-    together.is_again = grading->whole.is_endless;
-    if (result == 0 && together.is_changed) {
-        result = session_run(&grading->session, variants, 1);
-    }
-    for (int i = 0; result == 0 && together.is_changed && i < grading->result.n_checks; i++) {
-        CheckResult *check = &grading->result.checks[i];
-        CheckResult found = {.max_points = check->max_points};
-        session_judge(&grading->session, 0, i, &together, &found);
-        grading->passes_beside[i] = found.status == CHECK_PASSED;
-        n_saved += found.status == CHECK_PASSED && check->status != CHECK_PASSED;
-        check_free(&found);
-    }
-    if (n_saved > 0) {
-        result_add_stage(&grading->result, "Beside your answers", CHECK_FAILED,
-                         "your answers pass more checks in the files as they are handed out than "
-                         "in yours: a macro that one of them defines, or what stands outside the "
-                         "marked lines, changes what other lines do. They are judged without it.");
-    }
-    variant_free(&together);
-    return result;
-}
-
 // Give a task the checks of the better run.
 static void settle(Grading *grading, int t, const int is_task_wrong[])
 {
@@ -479,7 +447,7 @@ int grading_try_alone(Grading *grading)
         is_task_wrong[t] = is_wrong(grading, t) || has_ended_whole(grading, t);
     }
     if (is_nobodys(grading, is_task_wrong) && allowance_left(&grading->session.allowance) > 0 &&
-        try_together(grading) != 0) {
+        grading_try_together(grading) != 0) {
         return -1;
     }
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {

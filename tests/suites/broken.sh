@@ -243,6 +243,31 @@ ok $(($? != 1)) "a wrong answer without markers gets less"
 check "and the message is of the markers" stage Markers failed "TASK is_leaf"
 check "what cannot be tried alone waits for what it needs" test "$(count_lines 'waits for is_leaf')" -ge 3
 
+# A macro of one answer, or beside it, changes what the next file says: nobody else pays.
+lab=01-naive-2d
+for where in 's|^    // TASK overlaps_N_Nearer.*|#define r radius\n&|' 's|^    // END overlaps_N_Nearer|#define r radius\n&|'; do
+    copy_lab solutions $lab
+    sed -i "$where" "$scratch/submission/overlaps_N_Nearer.cl"
+    # shellcheck disable=SC2046,SC2086
+    check "a macro that reaches another task costs it nothing" grades 0 100 $(kept $lab) $submission
+    check "and is told" stage "Beside your answers" failed "macro"
+done
+# The same where the whole does not compile by it.
+copy_lab solutions $lab
+sed -i 's|^    // END overlaps_N_Nearer|#define color circle\n&|' "$scratch/submission/overlaps_N_Nearer.cl"
+# shellcheck disable=SC2046,SC2086
+check "a macro that ends the compiling of another task costs it nothing" grades 0 100 $(kept $lab) $submission
+check "and the report says what does not compile" stage Compiling failed "color"
+
+# An answer that is wrong at one pixel of a picture, or ends there, pays by itself.
+for body in 'if (x == 7 \&\& y == 7) return 1;:85' 'while (x == 7 \&\& y == 7) { minDepth += 1; }:60' \
+    'if (x == 7 \&\& y == 7) *(volatile int *)0 = 1;:60'; do
+    copy_lab solutions $lab
+    sed -i "s|^    const float dx = x|    ${body%:*}\n&|" "$scratch/submission/overlaps_N_Nearer.cl"
+    broken "wrong at one pixel: ${body%%;*}" "${body##*:}" 2
+done
+lab=02-kdtree-2d-build
+
 # What stands beside the marked lines counts for an answer that is tried alone; garbage there does not.
 copy_lab solutions $lab
 sed -i '/^int circle_overlaps_box/i static double square_of(double x) { return x * x; }\n' "$scratch/submission/$file"

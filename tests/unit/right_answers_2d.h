@@ -139,7 +139,7 @@ static void answer_pictures(Writer *writer, int lab, const Sections *job)
         }
         // The scenes whose work is judged: a wide one, one with empty leaves, one whose root is a
         // leaf, and one with a long list.
-        if (lab == 3 && (k == 1 || k == 9 || k == 12 || k == 15)) {
+        if (lab == 3 && (k == 3 || k == 7 || k == 10 || k == 13)) {
             answer(writer, numbered("work", k, NULL), work, n_pixels * sizeof *work);
         }
         free(work);

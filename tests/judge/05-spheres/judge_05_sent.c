@@ -61,8 +61,10 @@ static void keep_normal(Random *random, const SphereRayJob *ray, double t, Sent 
     const OracleVector outwards = vector_minus(vector_of(job.point), centre_of(job.sphere));
     const OracleNear normal = oracle3d_normal(job.sphere, oracle3d_exactly(job.point),
                                               oracle3d_exactly(job.direction), &right);
-    if (!isinf(normal.error)) {
-        sent_keep(&normals[vector_dot(outwards, direction) > 0], random, &job);
+    // Rays that graze the surface are among the edges.
+    const double along = vector_dot(vector_unit(outwards), direction);
+    if (!isinf(normal.error) && fabs(along) > 0x1p-4) {
+        sent_keep(&normals[along > 0], random, &job);
     }
 }
 
