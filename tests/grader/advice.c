@@ -41,28 +41,41 @@ static int has_strange_pixels(const Result *result, const char *task)
     return n_strange > 0 && n_explained == 0;
 }
 
-// Do these words declare something and set nothing: `float minDepth;`, `float red, green;`?
-static int declares_unset(const SourceWord *before, const SourceWord *name, const SourceWord *sign)
+// Is this a counter that stays below its bound, as in `i < n`?
+static int is_counter(const SourceWord *words, int n_words, const SourceWord *name)
 {
-    return before->kind == SOURCE_NAME && name->kind == SOURCE_NAME &&
-           !source_is_one_of(before, "return goto else case") && sign->kind == SOURCE_SIGN &&
-           source_is_one_of(sign, "; ,");
+    int n_below = 0, n_others = 0;
+    for (int i = 0; i + 1 < n_words; i++) {
+        if (source_is(&words[i], SOURCE_NAME, name->text)) {
+            n_below += source_is(&words[i + 1], SOURCE_SIGN, "<");
+            n_others += source_is(&words[i + 1], SOURCE_SIGN, "<=");
+        }
+    }
+    return name->kind == SOURCE_NAME && n_below > 0 && n_others == 0;
 }
 
-// Is there anything in an answer in which memcheck could find a fault?
+// Do three words declare something and set nothing: `float minDepth;`, `float red, green;`?
+static int declares_unset(const SourceWord words[3])
+{
+    return words[0].kind == SOURCE_NAME && words[1].kind == SOURCE_NAME &&
+           !source_is_one_of(&words[0], "return goto else case") && words[2].kind == SOURCE_SIGN &&
+           source_is_one_of(&words[2], "; ,");
+}
+
+// Is there anything in an answer in which memcheck could find a fault: an index that is no such
+// counter, or a variable without a value?
 static int may_misuse_memory(const char *answer)
 {
-    SourceReader reader = source_reader(answer);
-    SourceWord words[3] = {0};
-    do {
-        memmove(words, words + 1, 2 * sizeof *words);
-        words[2] = source_next(&reader);
-        if (source_is(&words[2], SOURCE_SIGN, "[") ||
-            declares_unset(&words[0], &words[1], &words[2])) {
-            return 1;
-        }
-    } while (words[2].kind != SOURCE_END);
-    return 0;
+    int n_words = 0, n_found = 0;
+    SourceWord *words = source_words(answer, &n_words);
+    for (int i = 0; words != NULL && i + 2 < n_words; i++) {
+        const int is_index = source_is(&words[i], SOURCE_SIGN, "[");
+        n_found += (is_index && !(source_is(&words[i + 2], SOURCE_SIGN, "]") &&
+                                  is_counter(words, n_words, &words[i + 1]))) ||
+                   declares_unset(&words[i]);
+    }
+    free(words);
+    return n_found > 0;
 }
 
 // The task whose pixels are wrong, while nothing says why, and whose answer may misuse memory, or
@@ -137,8 +150,8 @@ char *advice_on_pixels(const Manifest *manifest, const char *const answers[], co
     if (task == NULL) {
         return NULL;
     }
-    char *what = message_new("Some pixels are wrong in no usual way, and %s uses an array, or "
-                             "declares a variable without a value",
+    char *what = message_new("Some pixels are wrong in no usual way, and %s has an index that may "
+                             "leave its array, or a variable that is declared without a value",
                              task->id);
     char *advice = offer_memcheck(manifest, what);
     free(what);

@@ -16,8 +16,8 @@ char *advice_after_crash(const Manifest *manifest);
 char *advice_on_local(const Manifest *manifest, const char *folder);
 
 // Where the submission came to its end and drew pixels that are wrong in a way that looks like no
-// known mistake, and the answer does what memcheck could find a fault in: it uses an array, or
-// declares what it does not set.
+// known mistake, and the answer has what memcheck could find a fault in: an index that may leave
+// its array, or a variable that is declared without a value.
 //   answers   for each task what stands in its hole; NULL: as it was handed out, or not known
 // Returns what to try, free() it; NULL where all is explained, or nothing would be found.
 char *advice_on_pixels(const Manifest *manifest, const char *const answers[], const Result *result);

@@ -156,7 +156,7 @@ static const char *advice_on_two(const char *file, const char *answer, Seen seen
     return said;
 }
 
-static const char asks[] = "for (int i = 0; i < 9; i++) color = circles[i].r;";
+static const char asks[] = "color = circles[id].r;";
 
 static const char *advice(const char *file, Seen seen)
 {
@@ -165,20 +165,23 @@ static const char *advice(const char *file, Seen seen)
 
 Test(advice, memcheck_is_offered_where_it_may_help)
 {
-    cr_expect(
-        strstr(advice("a.cl", strange),
-               "Some pixels are wrong in no usual way, and descent uses an array, or declares "
-               "a variable without a value: `make memcheck LAB=03`"));
+    cr_expect(strstr(
+        advice("a.cl", strange),
+        "Some pixels are wrong in no usual way, and descent has an index that may leave "
+        "its array, or a variable that is declared without a value: `make memcheck LAB=03`"));
     cr_expect_str_neq(advice_on_two("a.cl", asks, strange, &strange), "");
 }
 
 // An answer in which there is nothing for it to find.
-Test(advice, memcheck_is_offered_only_for_arrays_and_for_what_is_not_set)
+Test(advice, memcheck_is_offered_only_for_loose_indices_and_for_what_is_not_set)
 {
-    static const char *const may[] = {"uint a[4];", "float minDepth;", "float red, green = 1;"};
-    static const char *const may_not[] = {"const int x = get_global_id(0) + width / 2;",
-                                          "int x = 0, y = 1; if (x >= width) return; // a[i]",
-                                          "goto end; end: return x;", ""};
+    static const char *const may[] = {"float minDepth;", "float red, green = 1;",
+                                      "for (int i = 0; i <= n; i++) r = circles[i].r;",
+                                      "for (int i = 0; i < n; i++) r = circles[i + 1].r;"};
+    static const char *const may_not[] = {
+        "const int x = get_global_id(0) + width / 2;",
+        "for (int i = 0; i < n / 2; i++) if (x < width / 2) r = circles[i].r;",
+        "int x = 0, y = 1; if (x >= width) return; // a[i]", "goto end; end: return x;", ""};
     for (size_t i = 0; i < sizeof may / sizeof *may; i++) {
         cr_expect_str_neq(advice_on_two("a.cl", may[i], strange, NULL), "", "%s", may[i]);
     }
