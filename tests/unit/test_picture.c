@@ -200,7 +200,8 @@ Test(picture, what_is_written_outside_is_found)
                      places[i][1]);
             *value = channel % 2 ? NAN : 0;
             expect_message(picture_judge_padding(c->probe, &c->expected), part);
-            expect_message(picture_judge_padding(c->probe, &c->expected), "or a barrier comes behind it");
+            expect_message(picture_judge_padding(c->probe, &c->expected),
+                           "or a barrier comes behind it");
             *value = UNWRITTEN;
         }
     }
