@@ -1,6 +1,6 @@
 // mutant: the part along the ray is added
 // task: intersect_sphere
-// caught by: sphere-near
+// caught by: sphere-inside
 // says: taken off
     const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
     const float b = dot(c, ray.direction);

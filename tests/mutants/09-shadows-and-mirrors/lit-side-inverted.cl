@@ -1,6 +1,6 @@
 // mutant: lights behind the surface are asked, not those before it
 // task: lit_color
-// caught by: lit-shadow
+// caught by: lit-behind
 // says: sign of the cosine
     for (int i = 0; i < scene->n_lights; i++) {
         const Ray ray = shadow_ray(point, scene->lights[i]);
