@@ -168,21 +168,22 @@ static char *text_load(const char *path, size_t n_most)
     return text;
 }
 
-// The path of the sanitizer's report, whose name ends with the number of a process. Returns whether
-// there is one.
+// The path of the sanitizer's report, whose name ends with the number of a process; of more than
+// one, the first by name. Returns whether there is one.
 static int report_find(const char *out, char path[PATH_MAX])
 {
-    DIR *folder = opendir(out);
+    struct dirent **entries;
     int is_found = 0;
-    const struct dirent *entry;
-    while (folder != NULL && !is_found && (entry = readdir(folder)) != NULL) {
-        is_found = strncmp(entry->d_name, REPORT, strlen(REPORT)) == 0;
-        if (is_found) {
-            path_make(path, "%s/%s", out, entry->d_name);
+    const int n = scandir(out, &entries, NULL, alphasort);
+    for (int i = 0; i < n; i++) {
+        if (!is_found && strncmp(entries[i]->d_name, REPORT, strlen(REPORT)) == 0) {
+            path_make(path, "%s/%s", out, entries[i]->d_name);
+            is_found = 1;
         }
+        free(entries[i]);
     }
-    if (folder != NULL) {
-        closedir(folder);
+    if (n >= 0) {
+        free(entries);
     }
     return is_found;
 }

@@ -18,7 +18,7 @@ check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --
     -Icommon -Icommon/view -Icommon/follow -Ikernels -Itests/stand_ins $(find tests -name '*.h' -exec dirname {} + | sort -u | sed 's/^/-I/') -Isolutions/02-kdtree-2d-build \
     -Isolutions/04-camera-rays -Isolutions/05-spheres -Isolutions/06-kdtree-3d-build -Isolutions/08-surface-area-heuristic \
     -DJSON_INTEGER_FORMAT='"lld"' -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DSTEPS_FOLDER='""' -DPROBE_KERNEL_OPTIONS='""' \
-    -DSANDBOX_INIT='""' -D'JUDGES=JUDGE(00)' -DNATIVE_HEADER='""' -DNATIVE_CACHE='""' \
+    -DSANDBOX_INIT='""' -D'JUDGES=JUDGE(00)' -DNATIVE_HEADER='""' -DNATIVE_FAULT='""' -DNATIVE_CACHE='""' \
     $(echo "$written" | grep '\.c$' | grep -v '^tests/unit/')
 
 # Skeletons have no warnings, though a student's half-written code may.
