@@ -1,7 +1,7 @@
 // desk: what a student asks for beside the grader.
 //
-//     desk note --lab 03       note the last grading in progress.json; say where its faults are, and
-//                              how a pixel is followed
+//     desk note --lab 03       note the last grading in progress.json; say where its faults
+//                              are, and how a pixel is followed
 //     desk hint --lab 03       one more hint for the first fault of the last grading
 //     desk progress            labs and tasks with points, and what is next
 //     desk watch --lab 03      after every save compile, draw and grade
@@ -58,9 +58,10 @@ static int print_help(void)
     return standard_output_check() == 0 ? 0 : EXIT_FAULT;
 }
 
-// Note what was reached, and say where the faults are. If a picture is wrong, say how to follow a pixel. The message names a
-// pixel of a hidden scene. To find a wrong one of the open scene, the program in labs/ would have
-// to run, and its code may be somebody else's. Returns 0, or -1 after one message.
+// Note what was reached, and say where the faults are. If a picture is wrong, say how to follow a
+// pixel. The message names a pixel of a hidden scene. To find a wrong one of the open scene, the
+// program in labs/ would have to run, and its code may be somebody else's. Returns 0, or -1 after
+// one message.
 static int note(const Desk *desk)
 {
     char path[PATH_MAX];

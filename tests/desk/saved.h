@@ -1,6 +1,6 @@
 // What a student has saved: the bytes of the lab's files, seen by looking and not by being told.
 //
-// Looking twenty times a second finds every way in which an editor saves (in place, twice, by
+// Looking forty times a second finds every way in which an editor saves (in place, twice, by
 // renaming, through a folder of another system), on every file system; inotify does not hear what
 // is written on the other side of a network or of WSL.
 #ifndef DESK_SAVED_H

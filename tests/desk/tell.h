@@ -11,7 +11,8 @@
 int tell_hint(const Manifest *lab);
 
 // Print a line for each task that failed, in the form of a compiler's message, so that editors find
-// the place (.vscode/tasks.json): below an empty line, where the answer begins in labs/, and what is wrong with it.
+// the place (.vscode/tasks.json): below an empty line, where the answer begins in labs/, and what
+// is wrong with it.
 void tell_places(const Manifest *lab, const json_t *results);
 
 // Print a line for each lab that is here, and what is next. Returns 0, or -1 after one message.

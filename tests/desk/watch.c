@@ -28,9 +28,9 @@
 #include <unistd.h>
 
 enum {
-    LOOK_MS = 50,
+    LOOK_MS = 25,
     // An editor may write a file in parts: it is complete when it has stayed the same for so long.
-    QUIET_MS = 80,
+    QUIET_MS = 40,
 };
 
 // ---- The loop -----------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
-// One round of the watch: judge without a driver, compile, draw, grade; and what is told of each.
+// One round of the watch: judge without a driver, compile, draw, grade; what is told of each.
 //
-// Judging without a driver (tests/native) takes half a second, and the verdict of the driver is told
-// only if it is another one. Where that cannot be, a round begins with compiling. One command runs at a time. Read next: look.h, watch_tell.h.
+// Judging without a driver (tests/native) takes half a second, and the verdict of the driver is
+// told only if it is another one. Where that cannot be, a round begins with compiling. One command
+// runs at a time. Read next: look.h, watch_tell.h.
 #ifndef DESK_WATCH_ROUND_H
 #define DESK_WATCH_ROUND_H
 

@@ -89,6 +89,17 @@ expect "N log N: factors, and how far the farthest case is off" 'build│lab 06�
 expect "N: the same" 'build│lab 06│N│0.00│33.37│12 %'
 expect "what is linear has no part that grows" 'handed on│lab 06│N log N│0.00│9.00│0 %'
 
+# ---- The watch ----------------------------------------------------------------------------------
+
+tables <<END
+watch 03;natively first;verdict;1;300
+watch 03;natively first;verdict;2;500
+watch 03;natively first;verdict, processor;1;250
+watch 03;natively first;round;1;2000
+watch 03;natively first;round, processor;1;2300
+END
+expect "from a save to a verdict" '03│natively first│400 (300 to 500)│250│2000│2300'
+
 rm "$scratch/bench3d.csv"
 PATH="$scratch/bin" tests/bench/tables.sh "$scratch" 2>&1 | grep -q 'found no CSV file of a bench'
 ok $? "without a file there is a message"

@@ -1,4 +1,4 @@
-// right: mix() goes from black to the lit colour by the cosine, and the way to the light is fast_normalize()d
+// right: mix() from black by the cosine, and fast_normalize() for the way to the light
 // task: shade
     for (int i = 0; i < n_lights; i++) {
         const float3 to_light = fast_normalize(to_float3(lights[i].position) - point);
