@@ -213,8 +213,7 @@ static SphereBoxJob roll_corner(Random *random, int i)
 }
 
 // No level may be refused or allowed by chance: all that a tree could have, and of the larger ones
-// those that look like small ones to who keeps 8 or 16 bits, or reads them as bits. Twice the largest
-// is an int, too.
+// those that look like small ones to who keeps 8 or 16 bits. Twice the largest is an int, too.
 static i32 roll_level(Random *random, int i)
 {
     static const i32 around[N_AROUND] = {-1, 0, 1, TODO_SIZE, TODO_SIZE + 1};
