@@ -61,7 +61,7 @@ static void roll_input(Random *random, Job09 *job, int i)
                         sixteenths(random, -64, 64)};
     lit->material.color = random_vector(random, 0.25, 1);
     lit->material.kd = random_number(random, 0.125, 0.875);
-    lit->material.ks = random_number(random, 0, 1);
+    lit->material.ks = 1 - lit->material.kd;
     const int n_drawn = i == N_LITS - 1 ? MANY_ALONE_LIGHTS : MOST_ALONE_LIGHTS;
     for (int k = 0; k <= n_drawn; k++) {
         const int is_behind =

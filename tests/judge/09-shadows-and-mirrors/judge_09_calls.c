@@ -89,7 +89,12 @@ static void keep_lights(Random *random, int k, const HitSurface *at, Calls *call
                         .n_lights = s->n_lights,
                         .bounds = calls->job->scenes[LIT_SCENE].base.tree.bounds};
     sent_keep(&calls->shadow_rays, random, &job);
-    sent_keep(&calls->lits, random, &lit);
+    // Of which side a light is on no rounding decides.
+    if (oracle3d_sides(s->lights, s->n_lights, oracle3d_exactly(at->point),
+                       oracle3d_exactly(at->normal))
+            .n_unsure == 0) {
+        sent_keep(&calls->lits, random, &lit);
+    }
     const OracleRay ray = oracle3d_given_ray(at->point, rounded(vector_unit(way)), 0);
     keep_block(random, scene, &ray, (float)vector_length(way), calls);
 }
