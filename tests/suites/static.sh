@@ -37,7 +37,7 @@ clangs=$(for n in 14 15 16 17 18 19 20 21; do command -v clang-$n; done)
 # A file that others include is checked by itself, so its static functions have no caller.
 # A kernel's own folder comes first, so that the same name in another lab does no harm.
 sh tests/probes/no_macros.sh >"$scratch/no_macros.h"
-includes="-I kernels -I tests/probes -I $scratch"
+includes="-I kernels -I tests/probes -I solutions -I $scratch"
 for folder in solutions/*/ tests/probes/*/; do
     includes="$includes -I $folder"
 done

@@ -66,7 +66,7 @@ static Work draw_pixel(const JobScene *scene, int x, int y, float color[IMAGE_CH
     for (u32 i = 0; i < n_ids; i++, work.n_tests++) {
         const Circle c = scene->scene.circles[ids ? ids[i] : i];
         const float dx = (float)x - c.x, dy = (float)y - c.y;
-        if (dx * dx + dy * dy <= c.radius * c.radius && c.depth < min_depth) {
+        if (dx * dx + dy * dy <= c.radius * c.radius && c.depth < min_depth && c.a != UNTAKEN) {
             min_depth = c.depth;
             memcpy(color, (float[]){c.r, c.g, c.b, c.a}, IMAGE_CHANNELS * sizeof *color);
         }

@@ -17,8 +17,8 @@ typedef struct Limit {
 // then the same work counts up to twice as much.
 static const Limit FIRST = {.factor = 4, .floor = 5};
 
-// An endless loop is met again where its answer is tried alone. A right answer there uses 0.5 to 1.5
-// times what the solution uses in all.
+// An endless loop is met again where its answer is tried alone. A right answer there uses 0.5 to
+// 1.5 times what the solution uses in all.
 static const Limit AGAIN = {.factor = 2.5, .floor = 2.5};
 
 // All runs together: the whole takes a quarter at most, or half where its compiler is as slow. What

@@ -21,7 +21,7 @@ static int is_on_border(const BBox2D *left, i32 x, i32 y)
 static void keep_pixel(Random *random, const KdTree2D *tree, ChildJob job, ChildJob **inside,
                        Sent *border)
 {
-    ChildJob kept[2];
+    ChildJob kept[2] = {0};
     Sent into[2] = {SENT_TO(&kept[0], 1), SENT_TO(&kept[1], 1)};
     while (cell_holds(tree->nodes_BBox[0], job.x, job.y) && tree->nodes_flag[job.id] != LEAF) {
         const NodeRel node = tree->nodes_Relations[job.id];

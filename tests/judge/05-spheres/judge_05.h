@@ -1,7 +1,8 @@
 // What lab 05's judge asks of a submission: inputs of its functions and whole scenes, and what an
 // answer is tried on alone. Inputs are rolled in judge_05_inputs.c, or are what pictures send
-// (judge_05_sent.c), and those of every job stand in judge_05_edges.c; functions are judged in judge_05_roots.c and judge_05_shading.c, one answer
-// alone in judge_05_alone.c, nearest_hit in judge_05_squares.c.
+// (judge_05_sent.c), and those of every job stand in judge_05_edges.c; functions are judged in
+// judge_05_roots.c and judge_05_shading.c, one answer alone in judge_05_alone.c, nearest_hit in
+// judge_05_squares.c.
 #ifndef JUDGE_JUDGE_05_H
 #define JUDGE_JUDGE_05_H
 

@@ -30,8 +30,8 @@ typedef struct PackAnswer3D {
 } PackAnswer3D;
 LAYOUT_ASSERT(PackAnswer3D, 1496);
 
-// Section "todo", and "replay.todo": a level each, twice as long as what answers it, so that no job is
-// taken for its answers. fits_todo is called with each; answered by an i32.
+// Section "todo", and "replay.todo": a level each, twice as long as what answers it, so that no job
+// is taken for its answers. fits_todo is called with each; answered by an i32.
 typedef int64_t LevelJob;
 
 #endif
