@@ -79,10 +79,11 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
 {
     const Manifest *manifest = workshop->manifest;
     enum { MAX_WORDS = 64 };
-    const char *argv[MAX_WORDS] = {"/usr/bin/gcc", "-std=c11", "-D_GNU_SOURCE", "-O2",      "-g",
-                                   "-Wall",        "-Wextra",  "-Icommon",      "-Ikernels"};
+    const char *argv[MAX_WORDS] = {
+        "/usr/bin/gcc", "-std=c11", "-D_GNU_SOURCE", "-O2",      "-fno-tree-slp-vectorize",
+        "-g",           "-Wall",    "-Wextra",       "-Icommon", "-Ikernels"};
     char words[MAX_WORDS][PATH_MAX];
-    int n = 9, n_words = 0;
+    int n = 10, n_words = 0;
     path_make(words[n_words], "-Ilabs/%s", manifest->lab);
     argv[n++] = words[n_words++];
     glob_t found;
