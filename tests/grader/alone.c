@@ -129,14 +129,11 @@ static char *seal(char *answer)
 {
     SourceReader reader = source_reader(answer != NULL ? answer : "");
     char *sealed = answer != NULL ? message_new("%s", answer) : NULL;
-    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
-         word = source_next(&reader)) {
-        if (word.in_directive && source_is(&word, SOURCE_NAME, "define")) {
-            word = source_next(&reader);
-            char *longer = message_new("%s#undef %s\n", sealed, word.text);
-            free(sealed);
-            sealed = longer;
-        }
+    for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
+         word = source_next_macro(&reader)) {
+        char *longer = message_new("%s#undef %s\n", sealed, word.text);
+        free(sealed);
+        sealed = longer;
     }
     free(answer);
     return sealed;

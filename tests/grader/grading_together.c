@@ -17,15 +17,11 @@
 static int defines(const char *source, const char *macro)
 {
     SourceReader reader = source_reader(source);
-    int is_found = 0;
-    for (SourceWord word = source_next(&reader); !is_found && word.kind != SOURCE_END;
-         word = source_next(&reader)) {
-        if (word.in_directive && source_is(&word, SOURCE_NAME, "define")) {
-            word = source_next(&reader);
-            is_found = source_is(&word, SOURCE_NAME, macro);
-        }
+    SourceWord word = source_next_macro(&reader);
+    while (word.kind != SOURCE_END && strcmp(word.text, macro) != 0) {
+        word = source_next_macro(&reader);
     }
-    return is_found;
+    return word.kind != SOURCE_END;
 }
 
 // Add the macros that a source defines and the one that is handed out does not. Takes the list
@@ -33,12 +29,8 @@ static int defines(const char *source, const char *macro)
 static char *add_macros(char *list, const char *source, const char *handed_out)
 {
     SourceReader reader = source_reader(source);
-    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
-         word = source_next(&reader)) {
-        if (!word.in_directive || !source_is(&word, SOURCE_NAME, "define")) {
-            continue;
-        }
-        word = source_next(&reader);
+    for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
+         word = source_next_macro(&reader)) {
         if (!defines(handed_out, word.text)) {
             char *longer = message_new("%s%s%s", list, list[0] != '\0' ? ", " : "", word.text);
             free(list);

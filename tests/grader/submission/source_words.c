@@ -239,6 +239,19 @@ SourceWord source_next(SourceReader *reader)
     return word;
 }
 
+SourceWord source_next_macro(SourceReader *reader)
+{
+    SourceWord word = source_next(reader);
+    while (word.kind != SOURCE_END) {
+        const int is_definition = word.in_directive && source_is(&word, SOURCE_NAME, "define");
+        word = source_next(reader);
+        if (is_definition && word.kind == SOURCE_NAME) {
+            break;
+        }
+    }
+    return word;
+}
+
 SourceWord *source_words(const char *source, int *n_words)
 {
     SourceWord *words = NULL;
