@@ -105,12 +105,14 @@ __attribute__((constructor)) static void fill(void)
     sleep(3);
 }
 C
+# Lab 02's answers are judged without it, too, and keep their points; lab 00's only task is the file's.
 for host_file in 00-hello-pixels/render.c 02-kdtree-2d-build/kdtree2d_build.c; do
     lab=${host_file%/*}
+    case $lab in 00-*) wanted=1 ;; *) wanted=0 ;; esac
     cp -R "solutions/$lab" "$scratch/$lab"
     cat "$scratch/fill.c" >>"$scratch/$host_file"
     grade 160 "$lab" "$scratch/$lab"
-    ends_with 1 "a run of $lab that fills 160 MB"
+    ends_with "$wanted" "a run of $lab that fills 160 MB"
     check "and its report says that it did not run to its end" names '"title": "Running",'
     check "nothing stays behind in TMPDIR" test -z "$(ls -A "$TMPDIR")"
 done
