@@ -70,3 +70,13 @@ char *text_file_read(const char *path)
     }
     return text;
 }
+
+const char *text_line(const char *text, int number, size_t *length)
+{
+    for (int i = 1; i < number && text != NULL; i++) {
+        text = strchr(text, '\n');
+        text += text != NULL;
+    }
+    *length = text != NULL ? strcspn(text, "\n") : 0;
+    return text != NULL && text[0] != '\0' ? text : NULL;
+}

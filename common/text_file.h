@@ -16,4 +16,8 @@ FILE *text_file_open(const char *path);
 // that names the file and the reason. A NUL byte in the file is one: the text would end there.
 char *text_file_read(const char *path);
 
+// Line `number` of a text, from 1, where it stands there; NULL where the text has no such line.
+//   length   out: without its newline
+const char *text_line(const char *text, int number, size_t *length);
+
 #endif

@@ -14,6 +14,8 @@
 #include "memcheck_passes.h"
 #include "path.h"
 #include "settings.h"
+#include "source_words.h"
+#include "text_file.h"
 #include "untouched.h"
 #include "workshop_files.h"
 
@@ -65,10 +67,51 @@ static int libraries_copy(const Session *session)
     char from[PATH_MAX], to[PATH_MAX];
     path_make(to, "%s/tree/lib/kernels.h", session->workshop.folder);
     int result = copy_file("tests/native/kernels.h", to);
+    path_make(to, "%s/tree/lib/checked.h", session->workshop.folder);
+    result |= copy_file("tests/memcheck/checked.h", to);
     for (int i = 0; i < 2; i++) {
         path_make(from, "%s/memcheck/%s.so", session->workshop.build, sanitizers[i]);
         path_make(to, "%s/tree/lib/memcheck-%s.so", session->workshop.folder, sanitizers[i]);
         result |= copy_file(from, to);
+    }
+    return result;
+}
+
+// ---- What is handed in -------------------------------------------------------------------------
+
+// The first line of a text that gives lines other numbers, by #line 5 or # 5; 0 for none.
+static int renumbering_line(const char *text)
+{
+    SourceReader reader = source_reader(text);
+    SourceWord last = {0}, word = source_next(&reader);
+    while (word.kind != SOURCE_END) {
+        if (last.begins_directive && word.in_directive &&
+            (word.kind == SOURCE_NUMBER || source_is(&word, SOURCE_NAME, "line"))) {
+            return word.line;
+        }
+        last = word;
+        word = source_next(&reader);
+    }
+    return 0;
+}
+
+// Does each line have the number by which a finding names it? Returns 0, or -1 after a message.
+static int lines_check(const Memcheck *memcheck)
+{
+    const Manifest *manifest = &memcheck->session.manifest;
+    int result = 0;
+    for (int i = 0; i < manifest->n_files; i++) {
+        char path[PATH_MAX];
+        path_make(path, "%s/%s", memcheck->folder, manifest->files[i]);
+        char *text = text_file_read(path);
+        const int line = text != NULL ? renumbering_line(text) : 0;
+        if (line > 0) {
+            complain("%s:%d: found #line, which gives lines other numbers: take it out, so that a "
+                     "fault can be told at its line",
+                     manifest->files[i], line);
+        }
+        result = text == NULL || line > 0 ? -1 : result;
+        free(text);
     }
     return result;
 }
@@ -136,6 +179,9 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
     staged_print(&staged);
     free(staged.said);
     if (staged.n_taken == 0) {
+        return EXIT_FAULT;
+    }
+    if (lines_check(memcheck) != 0) {
         return EXIT_FAULT;
     }
     // The messages of a compiler that students know.

@@ -8,6 +8,7 @@
 #include "sanitizer_log.h"
 
 // Print a finding: file, line, what it is, the line itself, the task, the work-item and what to do.
-void finding_print(const Memcheck *memcheck, const Finding *finding);
+// Returns 1, or 0 after nothing where it is at a line that no file has.
+int finding_print(const Memcheck *memcheck, const Finding *finding);
 
 #endif

@@ -1,7 +1,9 @@
 // The sanitizers' passes over a submission's probe (see memcheck_passes.h).
 #include "memcheck_passes.h"
 
+#include "clean_text.h"
 #include "complain.h"
+#include "crash_line.h"
 #include "folder.h"
 #include "memcheck_findings.h"
 #include "path.h"
@@ -9,17 +11,16 @@
 #include "progress.h"
 #include "run_end.h"
 
-#include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
-enum { MAX_REPORT_BYTES = 1 << 17, MAX_PLACE_BYTES = 256, MAX_WORDS = 8 + MANIFEST_MAX_FILES };
+#define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
+
+enum { MAX_WORDS = 8 + MANIFEST_MAX_FILES };
 
 // Seconds of processor time of a pass: some times what the slowest solution needs.
 enum { PASS_SECONDS = 15 };
@@ -37,7 +38,8 @@ enum { PASS_SECONDS = 15 };
 // What both passes compile kernels with: not optimised, as a read whose value nobody needs is a
 // fault, too, and a value that was never set would be whatever makes the code short.
 // Work-items run one after the other, so each may as well have a `local` variable of its own.
-#define KERNELS "NATIVE_OPTIONS=-Dlocal= -D__local= -g -O0 -fno-omit-frame-pointer "
+#define KERNELS                                                                                    \
+    "NATIVE_OPTIONS=-Dlocal= -D__local= -include lib/checked.h -g -O0 -fno-omit-frame-pointer "
 
 // One sanitizer.
 typedef struct Pass {
@@ -66,6 +68,10 @@ enum { N_PASSES = sizeof passes / sizeof *passes };
 // The script's exit status where a host file does not compile, or does not link.
 enum { EXIT_NO_HOST = 3 };
 
+// What is printed before any of the student's code runs, by this script or by sanitized.c: from
+// then on exit statuses are the student's own.
+#define BEGINS "[from here on your "
+
 // Compile host files, link the probe with OpenCL of our own, and run it, all in the sandbox.
 static const char script[] =
     "sanitizer=$1 lab=$2 host=$3\n"
@@ -73,12 +79,14 @@ static const char script[] =
     "for folder in solutions/*; do host=\"$host -I $folder\"; done\n"
     "for file do\n"
     "    clang -std=c11 -D_GNU_SOURCE -O1 -g -fno-omit-frame-pointer -w -Icommon -Ikernels \\\n"
-    "        -I \"labs/$lab\" $host -c \"labs/$lab/$file\" -o \"build/$file.o\" || exit 3\n"
+    "        -I \"labs/$lab\" -include lib/checked.h $host -c \"labs/$lab/$file\" -o "
+    "\"build/$file.o\" || exit 3\n"
     "    set -- \"$@\" \"build/$file.o\" && shift\n"
     "done\n"
     "clang -fsanitize=\"$sanitizer\" \"lib/$lab.o\" \"$@\" \"lib/earlier/$lab.a\" lib/libcommon.a "
     "\\\n"
     "    \"lib/memcheck-$sanitizer.so\" -lm -o build/memcheck || exit 3\n"
+    "[ $# -eq 0 ] || echo '" BEGINS "C code runs]'\n"
     "exec build/memcheck\n";
 
 // ---- Starting ----------------------------------------------------------------------------------
@@ -151,75 +159,31 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
 
 // ---- What it left -------------------------------------------------------------------------------
 
-// The beginning of a regular file; free() it. A link or a pipe in its place, left by what ran
-// inside, is neither followed nor waited for: "", as where there is none. NULL without memory.
-static char *text_load(const char *path, size_t n_most)
-{
-    char *text = calloc(1, n_most + 1);
-    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    struct stat status;
-    if (text != NULL && file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
-        read(file, text, n_most) < 0) {
-        text[0] = '\0';
-    }
-    if (file >= 0) {
-        close(file);
-    }
-    return text;
-}
-
-// The path of the sanitizer's report, whose name ends with the number of a process; of more than
-// one, the first by name. Returns whether there is one.
-static int report_find(const char *out, char path[PATH_MAX])
-{
-    struct dirent **entries;
-    int is_found = 0;
-    const int n = scandir(out, &entries, NULL, alphasort);
-    for (int i = 0; i < n; i++) {
-        if (!is_found && strncmp(entries[i]->d_name, REPORT, strlen(REPORT)) == 0) {
-            path_make(path, "%s/%s", out, entries[i]->d_name);
-            is_found = 1;
-        }
-        free(entries[i]);
-    }
-    if (n >= 0) {
-        free(entries);
-    }
-    return is_found;
-}
-
 // Tell what a pass has found, if it has.
-static void tell_finding(Memcheck *memcheck, const Pass *pass)
+static void tell_finding(Memcheck *memcheck, const char *out)
 {
-    char out[PATH_MAX], path[PATH_MAX];
+    char path[PATH_MAX];
     Finding finding;
-    folder_path(memcheck, pass, "out", out);
-    if (!report_find(out, path)) {
-        return;
-    }
-    char *report = text_load(path, MAX_REPORT_BYTES);
     path_make(path, "%s/" PLACE, out);
-    char *place = text_load(path, MAX_PLACE_BYTES);
-    if (report != NULL && place != NULL &&
-        finding_read(report, place, &memcheck->session.manifest, &finding)) {
+    char *report = report_find(out, REPORT);
+    char *place = report_load(path);
+    if (report != NULL &&
+        finding_read(report, place != NULL ? place : "", &memcheck->session.manifest, &finding)) {
         // Of a function that is called for itself, a work-item is only the number of an input.
         const ProbeNote note = run_note_load(out);
         if (strcmp(note.name, "picture") != 0) {
             finding.work_item[0] = '\0';
         }
-        finding_print(memcheck, &finding);
-        memcheck->has_finding = 1;
+        memcheck->has_finding = finding_print(memcheck, &finding);
     }
     free(report);
     free(place);
 }
 
 // Where a pass was, as its probe noted it: its inputs are others than the judge's.
-static void print_place(Memcheck *memcheck, const Pass *pass)
+static void print_place(Memcheck *memcheck, const char *out)
 {
-    char folder[PATH_MAX];
-    folder_path(memcheck, pass, "out", folder);
-    const ProbeNote note = run_note_load(folder);
+    const ProbeNote note = run_note_load(out);
     RunPlace place = run_place_before(&note);
     if (place.where[0] == '\0') {
         place = judge_place(&memcheck->session.judge, &note);
@@ -227,25 +191,48 @@ static void print_place(Memcheck *memcheck, const Pass *pass)
     printf(place.where[0] != '\0' ? "where: %s\n" : "", place.where);
 }
 
-// Say how a pass that did not come to its end ended.
-static void tell_trouble(Memcheck *memcheck, const Pass *pass, const SandboxResult *result,
-                         SandboxTime allowed)
+// Say how a pass ended that did not come to its end.
+//   end   in words
+static void tell_trouble(Memcheck *memcheck, const char *out, const SandboxResult *result,
+                         const char *end)
 {
+    const int is_compilers =
+        result->outcome == SANDBOX_EXITED && strstr(result->output, BEGINS) == NULL &&
+        (result->exit_status == EXIT_NO_HOST || result->exit_status == PROBE_EXIT_NO_BUILD);
     memcheck->has_trouble = 1;
-    if (result->outcome == SANDBOX_EXITED &&
-        (result->exit_status == EXIT_NO_HOST || result->exit_status == PROBE_EXIT_NO_BUILD)) {
-        printf("It does not compile:\n%s", result->output);
-        return;
+    if (is_compilers) {
+        printf("It does not compile:\n");
+    } else {
+        printf("It did not run to its end: %s\n", end);
+        print_place(memcheck, out);
     }
-    char *end = run_end_describe(result, allowed);
-    printf("It did not run to its end: %s\n", end);
-    print_place(memcheck, pass);
     if (result->outcome == SANDBOX_TIMED_OUT) {
         printf("\"make grade\" tells whether it is an endless loop. TIME_LIMIT=100 gives it more "
                "time.\n");
     }
-    printf("%s", result->output);
+    char *clean = message_clean(result->output);
+    printf(clean[0] != '\0' ? "%s\n" : "", clean);
+    free(clean);
+}
+
+// Tell what came of a pass, unless it came to its end without a finding.
+static void tell(Memcheck *memcheck, const Pass *pass, const SandboxResult *result,
+                 SandboxTime allowed)
+{
+    char out[PATH_MAX], path[PATH_MAX];
+    Sections answers;
+    folder_path(memcheck, pass, "out", out);
+    path_make(path, "%s/answers%s", out, pass->job);
+    sections_load(path, MAX_ANSWER_BYTES, &answers);
+    char *end = run_end_of_probe(result, allowed, &answers);
+    if (end != NULL) {
+        tell_finding(memcheck, out);
+    }
+    if (end != NULL && !memcheck->has_finding) {
+        tell_trouble(memcheck, out, result, end);
+    }
     free(end);
+    sections_free(&answers);
 }
 
 // ---- All ----------------------------------------------------------------------------------------
@@ -270,11 +257,8 @@ static int pass_run(Memcheck *memcheck, const Pass *pass, SandboxTime time)
     } else if (result.outcome == SANDBOX_FAULT) {
         complain("memcheck: the sandbox failed: %s", result.output);
         failed = -1;
-    } else if (result.outcome != SANDBOX_EXITED || result.exit_status != 0) {
-        tell_finding(memcheck, pass);
-        if (!memcheck->has_finding) {
-            tell_trouble(memcheck, pass, &result, time);
-        }
+    } else {
+        tell(memcheck, pass, &result, time);
     }
     free(result.output);
     return failed;

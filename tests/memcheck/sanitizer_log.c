@@ -12,7 +12,6 @@
 // and these the place's: "item 3 0", "array circles 4 4" with the entry and how many there are.
 #include "sanitizer_log.h"
 
-#include "clean_text.h"
 #include "crash_line.h"
 #include "path.h"
 
@@ -60,9 +59,11 @@ static void quoted_name(const char *begin, char name[NAME_BYTES])
 // An index; one that was a negative `uint` in its program is told as that, too.
 static void index_write(long index, char text[INDEX_BYTES])
 {
-    const int is_wrapped = index > INT32_MAX && index <= UINT32_MAX;
-    snprintf(text, INDEX_BYTES, is_wrapped ? "%ld (%ld as a uint)" : "%ld", index,
-             index - (long)UINT32_MAX - 1);
+    if (index > INT32_MAX && index <= UINT32_MAX) {
+        snprintf(text, INDEX_BYTES, "%ld (%ld as a uint)", index, index - (long)UINT32_MAX - 1);
+    } else {
+        snprintf(text, INDEX_BYTES, "%ld", index);
+    }
 }
 
 // ---- What it is ---------------------------------------------------------------------------------
@@ -73,7 +74,8 @@ static int says_array(Finding *finding, const char *report, const char *place)
     const char *array = strstr(place, "array ");
     char name[NAME_BYTES], index[INDEX_BYTES];
     long entry, n;
-    if (array == NULL || sscanf(array, "array %47[A-Za-z0-9_] %ld %ld", name, &entry, &n) != 3) {
+    if (array == NULL || sscanf(array, "array %47[A-Za-z0-9_] %ld %ld", name, &entry, &n) != 3 ||
+        n < 1) {
         return 0;
     }
     index_write(entry, index);
@@ -87,6 +89,33 @@ static int says_array(Finding *finding, const char *report, const char *place)
     return 1;
 }
 
+// What the undefined sanitizer finds in C files: how its words are known, and ours.
+static const char *const undefined[][2] = {
+    {"integer overflow: ", "computes a number that is too large for its type"},
+    {"negation of ", "computes a number that is too large for its type"},
+    {"division of ", "computes a number that is too large for its type"},
+    {"shift", "shifts by too many bits, or a negative number"},
+    {"null pointer", "uses a null pointer"},
+    {"misaligned address", "uses a pointer to the middle of a number"},
+    {"insufficient space", "uses a pointer beyond the end of its object"},
+    {"outside the range of representable values",
+     "converts a number that the new type cannot hold"},
+    {"not a valid value for type", "reads a value that its type does not have"},
+    {"end of a value-returning function", "comes to the end of a function without a `return`"},
+    {"non-positive value", "declares an array without an entry"},
+    {"overflowed to ", "moves a pointer out of all memory"},
+};
+
+static const char *undefined_find(const char *error, size_t length)
+{
+    for (size_t i = 0; i < sizeof undefined / sizeof *undefined; i++) {
+        if (memmem(error, length, undefined[i][0], strlen(undefined[i][0])) != NULL) {
+            return undefined[i][1];
+        }
+    }
+    return "does what C leaves undefined";
+}
+
 // What the undefined sanitizer says.
 static int says_undefined(Finding *finding, const char *report)
 {
@@ -98,18 +127,14 @@ static int says_undefined(Finding *finding, const char *report)
         return 0;
     }
     error += strlen(mark);
-    if (sscanf(error, "index %ld out of bounds for type '%*[^[][%ld]'", &entry, &n) == 2) {
+    if (sscanf(error, "index %ld out of bounds for type '%*[^[][%ld]'", &entry, &n) == 2 && n > 0) {
         index_write(entry, index);
         say(finding, CHECK_INDEX, "uses index %s of an array of %ld entries, 0 to %ld", index, n,
             n - 1);
     } else if (strncmp(error, "division by zero", strlen("division by zero")) == 0) {
         say(finding, "Ask whether the divisor is 0 before you divide.", "divides by zero");
     } else {
-        char text[sizeof finding->says];
-        snprintf(text, sizeof text, "%.*s", (int)strcspn(error, "\n"), error);
-        char *clean = line_clean(text);
-        say(finding, NULL, "%s", clean);
-        free(clean);
+        say(finding, NULL, "%s", undefined_find(error, strcspn(error, "\n")));
     }
     return 1;
 }
@@ -163,7 +188,7 @@ static void given_read(Finding *finding, const char *report, const Manifest *man
          frame = strchr(frame, '\n'), frame += frame != NULL) {
         char path[PATH_MAX];
         int line;
-        if (sscanf(frame, " #%*d 0x%*x in %*s %4000[^:\n]:%9d", path, &line) != 2) {
+        if (sscanf(frame, " #%*d 0x%*x in %*s %4000[^:\n]:%9d", path, &line) != 2 || line < 1) {
             continue;
         }
         const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
@@ -173,11 +198,10 @@ static void given_read(Finding *finding, const char *report, const Manifest *man
             }
         }
         for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-            if (strstr(path, folders[i]) != NULL) {
-                char *clean = line_clean(name);
-                snprintf(finding->given, sizeof finding->given, "%s", clean);
+            const char *given = strstr(path, folders[i]);
+            if (given != NULL && strstr(given, "..") == NULL) {
+                snprintf(finding->given, sizeof finding->given, "%s", given + 1);
                 finding->given_line = line;
-                free(clean);
                 return;
             }
         }

@@ -2,7 +2,8 @@
 //
 // A run ends at the first fault. It leaves the sanitizer's report and, by sanitized.c of
 // tests/native/, which array and which work-item it was. Both are files that the student's code
-// could write, too: taken from them are numbers, names, and lines of files that the lab has.
+// could write, too, as a sanitizer is a part of the program: taken from them are numbers, a name,
+// and which of our sentences fits. memcheck_findings.c sees whether there are such lines.
 // Read next: memcheck_passes.c, which runs it.
 #ifndef GRADER_SANITIZER_LOG_H
 #define GRADER_SANITIZER_LOG_H
@@ -15,8 +16,8 @@ typedef struct Finding {
     // The first place in a file that a student hands in, which belongs to the manifest; or NULL.
     const char *file;
     int line;  // from 1 on
-    // Where it went wrong in a given file, which that line calls; or "".
-    char given[64];
+    // Where it went wrong in a given file, which that line calls, from the course's folder on; or "".
+    char given[128];
     int given_line;
     char work_item[48];  // "(3, 0)", or ""
 } Finding;

@@ -65,6 +65,7 @@ cl_int clBuildProgram(cl_program program, cl_uint n_devices, const cl_device_id 
     program->log = NULL;
     char *path = compile_kernels(program->source, options, &program->log);
     if (path != NULL) {
+        program_begins();
         // What it lacks of OpenCL's functions is said now, and not where it calls them.
         program->library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
         if (program->library == NULL) {

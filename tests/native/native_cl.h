@@ -44,6 +44,9 @@ void memory_free(void *bytes, size_t n_bytes);
 // Whoever has copied or filled these bytes has set their values.
 void memory_was_set(const void *bytes, size_t n_bytes);
 
+// A program is about to be loaded, and its code may run.
+void program_begins(void);
+
 // The kernel has returned: its private variables are gone.
 void launch_has_ended(void);
 

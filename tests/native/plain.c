@@ -23,6 +23,10 @@ void memory_was_set(const void *bytes, size_t n_bytes)
     (void)bytes, (void)n_bytes;
 }
 
+void program_begins(void)
+{
+}
+
 void launch_has_ended(void)
 {
 }

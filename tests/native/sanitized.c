@@ -81,6 +81,13 @@ void memory_was_set(const void *bytes, size_t n_bytes)
     }
 }
 
+// memcheck_passes.c looks for this line: from then on exit statuses may be the student's own.
+void program_begins(void)
+{
+    puts("[from here on your kernels run]");
+    fflush(stdout);
+}
+
 // The host's functions, which the sanitizer does not see, come to use this stack next.
 __attribute__((noinline)) void launch_has_ended(void)
 {

@@ -114,6 +114,92 @@ printf '    barrier(CLK_LOCAL_MEM_FENCE);\n    return 0;\n' | answer overlaps_N_
 check "a function that is not there" memchecks 1 01 "$scratch/submission"
 check "is named" grep -q 'a kernel calls barrier()' "$scratch/said"
 
+# ---- What a program does so that nothing, or something else, is found ---------------------------------
+
+# solution LAB: put it into the submission.
+solution() {
+    rm -rf "$scratch/submission"
+    cp -r "solutions/$1" "$scratch/submission"
+}
+
+# c_answer TEXT: put a line behind the last one of lab 02's file, where nothing calls it.
+c_answer() {
+    solution 02-kdtree-2d-build
+    printf '%s\n' '#include <stdio.h>' '#include <stdlib.h>' '#include <unistd.h>' "$1" >>"$scratch/submission/kdtree2d_build.c"
+}
+begin='__attribute__((constructor)) static void begin(void)'
+
+# A run that ends by itself has proved nothing.
+solution 01-naive-2d
+printf '    void exit(int);\n    exit(0);\n    return 0;\n' | answer overlaps_N_Nearer.cl overlaps_N_Nearer
+check "a kernel that ends the program has not been looked at" memchecks 1 01 "$scratch/submission"
+check "and how it ended is said" grep -q "^It did not run to its end: it ended by itself, with exit status 0" "$scratch/said"
+c_answer "$begin { _exit(0); }"
+check "nor has a C file that does" memchecks 1 02 "$scratch/submission"
+check "which is said, too" grep -q "^It did not run to its end: it ended by itself, with exit status 0" "$scratch/said"
+
+# What keeps the sanitizers from looking is named.
+unchecked='__attribute__((no_sanitize("address")))'
+finds tests/memcheck/faults/01-one-circle-too-many.cl >"$scratch/said" 2>&1
+sed -i "1i #pragma clang attribute push($unchecked, apply_to = function)" "$scratch/submission/implicit2DRenderer.cl"
+check "a kernel that is not to be checked" memchecks 1 01 "$scratch/submission"
+check "is named with its line" grep -q 'implicit2DRenderer.cl:1:.*poisoned.*no_sanitize' "$scratch/said"
+sed -i "1c #define JOINED(a, b) a##b\nvoid __attribute__((JOINED(disable_sanitizer_, instrumentation))) f(void);" "$scratch/submission/implicit2DRenderer.cl"
+check "also by a word that a macro joins" memchecks 1 01 "$scratch/submission"
+check "at its line" grep -q 'implicit2DRenderer.cl:2:.*poisoned.*disable_sanitizer_instrumentation' "$scratch/said"
+c_answer "$unchecked void f(void) {}"
+line=$(wc -l <"$scratch/submission/kdtree2d_build.c")
+check "a function in C that is not to be checked" memchecks 1 02 "$scratch/submission"
+check "is named with its line, too" grep -q "kdtree2d_build.c:$line:.*poisoned" "$scratch/said"
+
+# A line has one number.
+for directive in '#line 5' '# 5 "implicit2DRenderer.cl"' '??=line 5' '/* */ %: line 5'; do
+    solution 01-naive-2d
+    sed "1i\\\n$directive" solutions/01-naive-2d/overlaps_N_Nearer.cl >"$scratch/submission/overlaps_N_Nearer.cl"
+    check "a file that changes the numbers of its lines ($directive)" memchecks 2 01 "$scratch/submission"
+    check "is refused at the line of that" grep -q '^overlaps_N_Nearer.cl:2: ' "$scratch/said"
+done
+
+# forged LINE WORDS: a report of the program's own.
+forged() {
+    c_answer "$begin { FILE *file = fopen(\"out/report.1\", \"w\"); fprintf(file, \"labs/02-kdtree-2d-build/kdtree2d_build.c:$1:1: runtime error: $2\\n    #0 0x1 in f $3:$1\\n\"); fclose(file); _exit(1); }"
+}
+forged 3 "you have every point" labs/02-kdtree-2d-build/kdtree2d_build.c
+check "a report of the program's own is only one of the faults that there are" memchecks 1 02 "$scratch/submission"
+check "in our words" grep -q '^kdtree2d_build.c:3: does what C leaves undefined$' "$scratch/said"
+forged 99999 "division by zero" labs/02-kdtree-2d-build/kdtree2d_build.c
+check "at a line that there is" memchecks 1 02 "$scratch/submission"
+check "or is none" grep -q "^It did not run to its end: it ended early with exit status 1" "$scratch/said"
+forged 3 "division by zero" /solutions/you-have-every-point
+check "of a given file that there is" memchecks 1 02 "$scratch/submission"
+check "or is none, too" grep -q "^It did not run to its end: it ended early with exit status 1" "$scratch/said"
+
+# Who has failed is known by who ran, not by an exit status.
+c_answer "$begin { puts(\"kdtree2d_build.c:1: error: no\"); fflush(stdout); _exit(3); }"
+check "a program that ends as the compiler does" memchecks 1 02 "$scratch/submission"
+check "has been compiled" grep -q "^It did not run to its end: it ended early with exit status 3" "$scratch/said"
+solution 01-naive-2d
+echo "void _exit(int); __attribute__((constructor)) void begin(void) { _exit(10); }" >>"$scratch/submission/overlaps_N_Nearer.cl"
+check "a kernel that ends as a kernel does that does not compile" memchecks 1 01 "$scratch/submission"
+check "has been compiled, too" grep -q "^It did not run to its end: it ended early with exit status 10" "$scratch/said"
+
+# What a program prints is text of unknown origin.
+c_answer "$begin { for (int i = 0; i < 1000; i++) { puts(\"\\u202eno\"); } fflush(stdout); abort(); }"
+check "a program that prints and crashes" memchecks 1 02 "$scratch/submission"
+check "cannot turn the reading direction" grep -q 'xE2.x80.xAEno' "$scratch/said"
+ok $(($(wc -l <"$scratch/said") > 60)) "nor fill the terminal" "$(wc -l <"$scratch/said") lines"
+
+# The beginning of a long line is shown.
+{
+    printf '    for (int i = 0; i <= n_circles; i++) {\n        const Circle circle = circles[i];  // HERE '
+    head -c 2000 /dev/zero | tr '\0' x
+    printf '\n        color.x += circle.r;\n    }\n'
+} >"$scratch/long"
+solution 01-naive-2d
+answer implicit2DRenderer.cl implicit2DRenderer <"$scratch/long"
+check "a fault in a long line is found" memchecks 1 01 "$scratch/submission"
+check "and its beginning is shown" grep -q '^        const Circle circle = circles\[i\];  // HERE xx.*bytes left out' "$scratch/said"
+
 # A kernel that does not end is cut off, and a folder that is not there is a fault.
 rm -rf "$scratch/submission"
 cp -r solutions/03-kdtree-2d-render "$scratch/submission"

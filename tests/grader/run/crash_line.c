@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { REPORT_BYTES = 1 << 16, FRAME_BYTES = 768, MAX_LINE = 1000000 };
+enum { REPORT_BYTES = 1 << 17, FRAME_BYTES = 768, MAX_LINE = 1000000 };
 
 // What the sanitizer calls a fault, the first that fits, and what we call it.
 static const char *const faults[][2] = {
@@ -88,8 +88,7 @@ int crash_line_read(const char *report, const Manifest *manifest, const char **f
     return 0;
 }
 
-// The beginning of a regular file, or NULL. Neither a link is followed nor a FIFO waited for.
-static char *report_load(const char *path)
+char *report_load(const char *path)
 {
     struct stat status;
     char *text = NULL;
@@ -107,28 +106,26 @@ static char *report_load(const char *path)
     return text;
 }
 
-// The report in a folder: its name ends with the number of a process that nobody knows here.
-static char *report_find(const char *out)
+char *report_find(const char *out, const char *prefix)
 {
+    struct dirent **entries;
     char *text = NULL;
-    DIR *folder = opendir(out);
-    const struct dirent *entry;
-    while (folder != NULL && text == NULL && (entry = readdir(folder)) != NULL) {
-        char path[PATH_MAX];
-        if (strncmp(entry->d_name, "crash.", strlen("crash.")) == 0) {
-            path_make(path, "%s/%s", out, entry->d_name);
+    const int n = scandir(out, &entries, NULL, alphasort);
+    for (int i = 0; i < n; i++) {
+        if (text == NULL && strncmp(entries[i]->d_name, prefix, strlen(prefix)) == 0) {
+            char path[PATH_MAX];
+            path_make(path, "%s/%s", out, entries[i]->d_name);
             text = report_load(path);
         }
+        free(entries[i]);
     }
-    if (folder != NULL) {
-        closedir(folder);
+    if (n >= 0) {
+        free(entries);
     }
     return text;
 }
 
-// The task that a line of a file belongs to, or NULL.
-static const char *task_of_line(const Manifest *manifest, const char *file, const char *text,
-                                int line)
+const char *task_of_line(const Manifest *manifest, const char *file, const char *text, int line)
 {
     for (int i = 0; i < manifest->n_tasks; i++) {
         const Task *task = &manifest->tasks[i];
@@ -143,7 +140,7 @@ char *crash_line_find(const char *out, const char *lab, const Manifest *manifest
 {
     const char *file, *says;
     *task = NULL;
-    char *report = report_find(out);
+    char *report = report_find(out, "crash.");
     const int line = report != NULL ? crash_line_read(report, manifest, &file, &says) : 0;
     free(report);
     if (line == 0) {
@@ -152,16 +149,13 @@ char *crash_line_find(const char *out, const char *lab, const Manifest *manifest
     char path[PATH_MAX];
     path_make(path, "%s/%s", lab, file);
     char *text = text_file_read(path);
-    const char *source = text;
-    for (int i = 1; i < line && source != NULL; i++) {
-        source = strchr(source, '\n');
-        source += source != NULL;
-    }
+    size_t length;
+    const char *source = text != NULL ? text_line(text, line, &length) : NULL;
     char *message = NULL;
-    if (source != NULL && source[0] != '\0') {
+    if (source != NULL) {
         *task = task_of_line(manifest, file, text, line);
         message = message_new("%s:%d%s%s: %s\n    %.*s\n", file, line, *task ? ", task " : "",
-                              *task ? *task : "", says, (int)strcspn(source, "\n"), source);
+                              *task ? *task : "", says, (int)length, source);
     }
     free(text);
     return message;

@@ -27,4 +27,18 @@ char *crash_line_find(const char *out, const char *lab, const Manifest *manifest
 int crash_line_read(const char *report, const Manifest *manifest, const char **file,
                     const char **says);
 
+// What the sanitizers and others leave for us, as far as memcheck reads it, too.
+//
+// The beginning of a regular file; free() it. NULL where there is none, or nothing in it. Neither a
+// link is followed nor a FIFO waited for.
+char *report_load(const char *path);
+
+// The same of the first such file, by name, in the folder `out` whose name begins so: it ends with
+// the number of a process that nobody knows here.
+char *report_find(const char *out, const char *prefix);
+
+// The task that a line of a file belongs to, or NULL.
+//   text   of the file
+const char *task_of_line(const Manifest *manifest, const char *file, const char *text, int line);
+
 #endif

@@ -3,6 +3,7 @@
 
 #include "cl_check.h"
 #include "message.h"
+#include "probe.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -112,6 +113,17 @@ char *run_end_describe(const SandboxResult *result, SandboxTime allowed)
     const char *error = opencl_error_find(result->output);
     return message_new("it ended early with exit status %d%s%s%s", result->exit_status,
                        error ? " (" : "", error ? error : "", error ? ")" : "");
+}
+
+char *run_end_of_probe(const SandboxResult *result, SandboxTime allowed, const Sections *answers)
+{
+    size_t n_bytes;
+    char *end = run_end_describe(result, allowed);
+    if (end == NULL && sections_find_any(answers, PROBE_END, &n_bytes) == NULL) {
+        end = message_new("it ended by itself, with exit status 0, before it had answered "
+                          "everything: a call of exit()?");
+    }
+    return end;
 }
 
 char *run_habits_describe(const SandboxResult *result, int is_second)

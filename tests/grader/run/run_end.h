@@ -5,6 +5,7 @@
 #define GRADER_RUN_END_H
 
 #include "sandbox.h"
+#include "sections.h"
 
 // What a compiler or a probe may use; what is not called TOTAL, N_PROCESSES or N_FILES is for each
 // of its processes. An address space below 1 GB starves PoCL's compiler.
@@ -30,6 +31,9 @@ int run_end_is_as_compilers(const SandboxResult *result);
 // printed only the name of an OpenCL error is passed on. Owned by the caller.
 //   allowed   what it might use
 char *run_end_describe(const SandboxResult *result, SandboxTime allowed);
+
+// The same of a probe, whose exit status says nothing: its answers must have their end, too.
+char *run_end_of_probe(const SandboxResult *result, SandboxTime allowed, const Sections *answers);
 
 // What else there is to say about a run, which costs nothing: "" for most. Owned by the caller.
 //   is_second   it came to its end with SECOND_COMPILER, after one that did not

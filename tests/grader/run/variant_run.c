@@ -107,13 +107,7 @@ static void take_answers(const Workshop *workshop, Variant *variant, SandboxResu
         free(first_output);
         return;
     }
-    variant->trouble = run_end_describe(result, allowed);
-    size_t n_bytes;
-    if (variant->trouble == NULL &&
-        sections_find_any(&variant->answers, PROBE_END, &n_bytes) == NULL) {
-        variant->trouble = message_new("it ended by itself, with exit status 0, before it had "
-                                       "answered everything: a call of exit()?");
-    }
+    variant->trouble = run_end_of_probe(result, allowed, &variant->answers);
     if (variant->trouble != NULL && first_output != NULL) {
         // A driver that knows no second way says so, which is no news.
         free(variant->run_output);
