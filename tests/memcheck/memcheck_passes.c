@@ -196,21 +196,27 @@ static void print_place(Memcheck *memcheck, const char *out)
 static void tell_trouble(Memcheck *memcheck, const char *out, const SandboxResult *result,
                          const char *end)
 {
-    const int is_compilers =
-        result->outcome == SANDBOX_EXITED && strstr(result->output, BEGINS) == NULL &&
-        (result->exit_status == EXIT_NO_HOST || result->exit_status == PROBE_EXIT_NO_BUILD);
+    const int has_exited = result->outcome == SANDBOX_EXITED;
+    const int is_no_build = has_exited && result->exit_status == PROBE_EXIT_NO_BUILD;
+    const int is_no_host = has_exited && result->exit_status == EXIT_NO_HOST;
     memcheck->has_trouble = 1;
-    if (is_compilers) {
+    if ((is_no_build || is_no_host) && strstr(result->output, BEGINS) == NULL) {
         printf("It does not compile:\n");
     } else {
-        printf("It did not run to its end: %s\n", end);
+        printf("It did not run to its end: %s\n",
+               is_no_build ? "it ended as when a kernel cannot be built" : end);
         print_place(memcheck, out);
     }
     if (result->outcome == SANDBOX_TIMED_OUT) {
         printf("\"make grade\" tells whether it is an endless loop. TIME_LIMIT=100 gives it more "
                "time.\n");
     }
-    char *clean = message_clean(result->output);
+    const char *printed = result->output;
+    while (strncmp(printed, BEGINS, strlen(BEGINS)) == 0) {
+        printed += strcspn(printed, "\n");
+        printed += printed[0] == '\n';
+    }
+    char *clean = message_clean(printed);
     printf(clean[0] != '\0' ? "%s\n" : "", clean);
     free(clean);
 }

@@ -91,6 +91,7 @@ static int says_array(Finding *finding, const char *report, const char *place)
 
 // What the undefined sanitizer finds in C files: how its words are known, and ours.
 static const char *const undefined[][2] = {
+    {"out of bounds for type", "uses an index out of range"},
     {"integer overflow: ", "computes a number that is too large for its type"},
     {"negation of ", "computes a number that is too large for its type"},
     {"division of ", "computes a number that is too large for its type"},

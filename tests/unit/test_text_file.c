@@ -16,6 +16,22 @@ Test(text_file, the_text_is_read_whole)
     }
 }
 
+Test(text_file, a_line_has_a_number_from_1_on)
+{
+    size_t length;
+    static const char text[] = "one\n\nthree\n";
+    cr_expect_eq(text_line(text, 1, &length), text);
+    cr_expect_eq(length, 3);
+    cr_expect_eq(text_line(text, 2, &length), text + 4);
+    cr_expect_eq(length, 0);
+    cr_expect_eq(text_line(text, 3, &length), text + 5);
+    cr_expect_eq(length, 5);
+    cr_expect_null(text_line(text, 4, &length));
+    cr_expect_null(text_line(text, 1000, &length));
+    cr_expect_null(text_line("", 1, &length));
+    cr_expect_eq(text_line("last", 1, &length)[length], '\0');
+}
+
 Test(text_file, a_nul_byte_is_no_text)
 {
     static const char *const TEXTS[] = {"\0bc", "a\0c", "ab\0"};
