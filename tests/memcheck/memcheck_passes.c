@@ -191,6 +191,18 @@ static void print_place(Memcheck *memcheck, const char *out)
     printf(place.where[0] != '\0' ? "where: %s\n" : "", place.where);
 }
 
+// What a pass has printed, which may be anything; of our own lines not those before all else.
+static void print_output(const char *output)
+{
+    while (strncmp(output, BEGINS, strlen(BEGINS)) == 0) {
+        output += strcspn(output, "\n");
+        output += output[0] == '\n';
+    }
+    char *clean = message_clean(output);
+    printf(clean[0] != '\0' ? "%s\n" : "", clean);
+    free(clean);
+}
+
 // Say how a pass ended that did not come to its end.
 //   end   in words
 static void tell_trouble(Memcheck *memcheck, const char *out, const SandboxResult *result,
@@ -211,14 +223,7 @@ static void tell_trouble(Memcheck *memcheck, const char *out, const SandboxResul
         printf("\"make grade\" tells whether it is an endless loop. TIME_LIMIT=100 gives it more "
                "time.\n");
     }
-    const char *printed = result->output;
-    while (strncmp(printed, BEGINS, strlen(BEGINS)) == 0) {
-        printed += strcspn(printed, "\n");
-        printed += printed[0] == '\n';
-    }
-    char *clean = message_clean(printed);
-    printf(clean[0] != '\0' ? "%s\n" : "", clean);
-    free(clean);
+    print_output(result->output);
 }
 
 // Tell what came of a pass, unless it came to its end without a finding.
