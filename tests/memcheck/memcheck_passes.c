@@ -216,7 +216,7 @@ static void tell_trouble(Memcheck *memcheck, const char *out, const SandboxResul
         printf("It does not compile:\n");
     } else {
         printf("It did not run to its end: %s\n",
-               is_no_build ? "it ended as when a kernel cannot be built" : end);
+               is_no_build ? "it ended as it does when a kernel cannot be built" : end);
         print_place(memcheck, out);
     }
     if (result->outcome == SANDBOX_TIMED_OUT) {

@@ -16,7 +16,7 @@ typedef struct Finding {
     // The first place in a file that a student hands in, which belongs to the manifest; or NULL.
     const char *file;
     int line;  // from 1 on
-    // Where it went wrong in a given file, which that line calls, from the course's folder on; or "".
+    // Where it went wrong in a given file that this line calls, from the course's folder; or "".
     char given[128];
     int given_line;
     char work_item[48];  // "(3, 0)", or ""

@@ -181,7 +181,7 @@ check "has been compiled" grep -q "^It did not run to its end: it ended early wi
 solution 01-naive-2d
 echo "void _exit(int); __attribute__((constructor)) void begin(void) { _exit(10); }" >>"$scratch/submission/overlaps_N_Nearer.cl"
 check "a kernel that ends as a kernel does that does not compile" memchecks 1 01 "$scratch/submission"
-check "has been compiled, too" grep -q "^It did not run to its end: it ended as when a kernel cannot be built" "$scratch/said"
+check "has been compiled, too" grep -q "^It did not run to its end: it ended as it does when a kernel cannot be built" "$scratch/said"
 
 # What a program prints is text of unknown origin.
 c_answer "$begin { for (int i = 0; i < 1000; i++) { puts(\"\\u202eno\"); } fflush(stdout); abort(); }"
