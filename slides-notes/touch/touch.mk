@@ -12,7 +12,7 @@ TOUCH_SOURCES := $(wildcard slides-notes/touch/*.c) \
     $(addprefix tests/figures/,plane2d.c draw_tree.c draw_search.c draw_search3d.c draw_cost.c) \
     $(addprefix common/follow/,followed.c followed_text.c record.c world.c circles.c spheres.c eye.c flight.c no_reference.c) \
     $(addprefix common/,svg.c message.c complain.c clean_text.c utf8.c number.c stats.c cl_memory.c cl_check.c) \
-    $(addprefix common/,tree2d.c scene2d.c scene2d_generate.c scene2d_random.c scene2d_edge_cases.c scene_arguments.c) \
+    $(addprefix common/,tree2d.c tree2d_grow.c scene2d.c scene2d_generate.c scene2d_random.c scene2d_edge_cases.c scene_arguments.c) \
     $(addprefix common/,tree3d.c tree3d_grow.c scene3d.c scene3d_view.c scene3d_generate.c scene3d_edge_cases.c) \
     $(addprefix common/,scene3d_random.c scene3d_lattice.c scene3d_sphereflake.c scene3d_uneven.c) \
     $(addprefix solutions/,02-kdtree-2d-build/kdtree2d_build.c 04-camera-rays/camera_from_view.c 05-spheres/scene_buffers.c) \

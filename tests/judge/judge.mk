@@ -23,7 +23,7 @@ $(OUT)/obj/tests/judge/judges.c.o: tests/judge
 # What the judge needs besides: no file is read by it, no device opened.
 JUDGE_NEEDS = $(addprefix common/,$(addsuffix .c,cl_check clean_text complain image message number scene2d \
     scene2d_edge_cases scene2d_generate scene2d_random scene3d scene3d_edge_cases scene3d_generate \
-    scene3d_lattice scene3d_random scene3d_sphereflake scene3d_uneven scene3d_view scene_arguments tree2d tree2d_draw \
+    scene3d_lattice scene3d_random scene3d_sphereflake scene3d_uneven scene3d_view scene_arguments tree2d tree2d_draw tree2d_grow \
     tree3d tree3d_draw tree3d_grow utf8)) \
     $(addprefix tests/grader/verdict/,diagnosis.c result.c) tests/judge/judge_tool.c tests/probes/sections.c
 # Linked statically: it runs wherever a handout that holds it is unpacked.

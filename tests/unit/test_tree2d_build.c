@@ -16,6 +16,7 @@
 
 #include "kdtree2d_build.c"
 #include "tree2d.c"
+#include "tree2d_grow.c"
 #undef malloc
 #undef calloc
 #undef realloc
