@@ -18,12 +18,26 @@
 #include <string.h>
 #include <sys/stat.h>
 
+// The number for LOT in the stand-ins while a task is tried. Where a check of it may say what was
+// found (is_same_alone), none depends on that number, and it is not the seed's: however an answer
+// calls or reads a stand-in, the report does not tell the number.
+static uint32_t lot_of(const Session *session, const Task *task)
+{
+    for (int i = 0; i < session->judge.n_checks; i++) {
+        const Check *check = &session->judge.checks[i];
+        if (check->is_same_alone && strcmp(check->task, task->id) == 0) {
+            return 0;
+        }
+    }
+    return stand_in_lot(session->settings->seed);
+}
+
 // What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
 // after one message.
-static char *other_body(const Session *session, const Task *task)
+static char *other_body(const Session *session, const Task *task, uint32_t lot)
 {
     const Manifest *manifest = &session->manifest;
-    char *stand_in = stand_in_read(manifest, task, stand_in_lot(session->settings->seed));
+    char *stand_in = stand_in_read(manifest, task, lot);
     if (stand_in != NULL) {
         return stand_in;
     }
@@ -50,7 +64,7 @@ static char *holes_settle(const Session *session, const char *file, const Task *
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
         if (other != task && strcmp(other->file, file) == 0) {
-            char *body = other_body(session, other);
+            char *body = other_body(session, other, lot_of(session, task));
             text = settle(text, other, body);
             free(body);
         }

@@ -241,7 +241,8 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
     return is_others;
 }
 
-// Does the answer name another task? Then a stand-in may have had a part in what was found alone.
+// Does the answer name another task, or make names by # or ##, in a macro of its own? Then a
+// stand-in may have had a part in what was found alone.
 static int names_others(const Grading *grading, int t)
 {
     char *answer = grading_answer(grading, task_of(grading, t));
@@ -249,6 +250,8 @@ static int names_others(const Grading *grading, int t)
     SourceReader reader = source_reader(answer != NULL ? answer : "");
     for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
          word = source_next(&reader)) {
+        n_named +=
+            word.in_directive && !word.begins_directive && source_is(&word, SOURCE_SIGN, "#");
         for (int other = 0; other < grading->session.manifest.n_tasks; other++) {
             n_named += other != t && source_is(&word, SOURCE_NAME, task_of(grading, other)->id);
         }
