@@ -7,7 +7,6 @@
 #include "holes.h"
 #include "jobs.h"
 #include "lot.h"
-#include "message.h"
 #include "path.h"
 #include "skeleton.h"
 #include "source_words.h"
@@ -138,16 +137,20 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
 }
 
 // An answer, and behind it the end of each macro that it defines: in another task's lines it would
-// change what stands there. Takes the answer over; NULL stays NULL.
+// change what stands there. Takes the answer over; NULL stays NULL, and is all without memory.
 static char *seal(char *answer)
 {
-    SourceReader reader = source_reader(answer != NULL ? answer : "");
-    char *sealed = answer != NULL ? message_new("%s", answer) : NULL;
-    for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
-         word = source_next_macro(&reader)) {
-        char *longer = message_new("%s#undef %s\n", sealed, word.text);
-        free(sealed);
-        sealed = longer;
+    char *sealed = NULL;
+    size_t n_bytes;
+    FILE *stream = answer != NULL ? open_memstream(&sealed, &n_bytes) : NULL;
+    if (stream != NULL) {
+        SourceReader reader = source_reader(answer);
+        fputs(answer, stream);
+        for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
+             word = source_next_macro(&reader)) {
+            fprintf(stream, "#undef %s\n", word.text);
+        }
+        fclose(stream);
     }
     free(answer);
     return sealed;

@@ -13,46 +13,49 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Does a source define the macro?
-static int defines(const char *source, const char *macro)
-{
-    SourceReader reader = source_reader(source);
-    SourceWord word = source_next_macro(&reader);
-    while (word.kind != SOURCE_END && strcmp(word.text, macro) != 0) {
-        word = source_next_macro(&reader);
-    }
-    return word.kind != SOURCE_END;
-}
+// The names of macros, each once.
+enum { MAX_LISTED = 8, MAX_MACROS = 64 };
+typedef struct Macros {
+    char names[MAX_MACROS][SOURCE_WORD_BYTES];
+    int n;
+} Macros;
 
-// Add the macros that a source defines and the one that is handed out does not. Takes the list
-// over.
-static char *add_macros(char *list, const char *source, const char *handed_out)
+// Add those that a source defines, up to n_most in all. Takes the source over; NULL has none.
+static void note_macros(Macros *macros, char *source, int n_most)
 {
-    SourceReader reader = source_reader(source);
-    for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
-         word = source_next_macro(&reader)) {
-        if (!defines(handed_out, word.text)) {
-            char *longer = message_new("%s%s%s", list, list[0] != '\0' ? ", " : "", word.text);
-            free(list);
-            list = longer;
+    SourceReader reader = source_reader(source != NULL ? source : "");
+    SourceWord word = source_next_macro(&reader);
+    for (; word.kind != SOURCE_END && macros->n < n_most; word = source_next_macro(&reader)) {
+        int i = 0;
+        while (i < macros->n && strcmp(macros->names[i], word.text) != 0) {
+            i++;
+        }
+        if (i == macros->n) {
+            strcpy(macros->names[macros->n++], word.text);
         }
     }
-    return list;
+    free(source);
 }
 
-// The macros of the student's own files, "r, x"; "" for none. Owned by the caller.
+// The macros of the student's own files that those which are handed out do not define: "r, x"; ""
+// for none; of many the first. Owned by the caller.
 static char *list_macros(const Manifest *manifest, const char *folder)
 {
-    char *list = message_new("%s", "");
+    Macros macros = {.n = 0};
+    for (int i = 0; i < manifest->n_files; i++) {
+        note_macros(&macros, skeleton_read(manifest, manifest->files[i]), MAX_MACROS - MAX_LISTED);
+    }
+    const int n_given = macros.n;
     for (int i = 0; i < manifest->n_files; i++) {
         char path[PATH_MAX];
         path_make(path, "%s/%s", folder, manifest->files[i]);
-        char *own = text_file_read(path), *handed_out = skeleton_read(manifest, manifest->files[i]);
-        if (own != NULL && handed_out != NULL) {
-            list = add_macros(list, own, handed_out);
-        }
-        free(own);
-        free(handed_out);
+        note_macros(&macros, text_file_read(path), n_given + MAX_LISTED);
+    }
+    char *list = message_new("%s", "");
+    for (int i = n_given; i < macros.n; i++) {
+        char *longer = message_new("%s%s%s", list, i > n_given ? ", " : "", macros.names[i]);
+        free(list);
+        list = longer;
     }
     return list;
 }

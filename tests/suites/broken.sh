@@ -252,6 +252,13 @@ for where in 's|^    // TASK overlaps_N_Nearer.*|#define r radius\n&|' 's|^    /
     check "a macro that reaches another task costs it nothing" grades 0 100 $(kept $lab) $submission
     check "and is told" stage "Beside your answers" failed "macro"
 done
+# Of many macros the report names some.
+copy_lab solutions $lab
+awk 'BEGIN { print "#define r radius"; for (i = 0; i < 16000; i++) print "#define m" i }' >"$scratch/macros"
+sed -i "/END overlaps_N_Nearer/r $scratch/macros" "$scratch/submission/overlaps_N_Nearer.cl"
+# shellcheck disable=SC2046,SC2086
+check "a file full of macros" grades 0 100 $(kept $lab) $submission
+check "of which some are told" stage "Beside your answers" failed "r, m0, m1, m2, m3, m4, m5, m6; end"
 # The same where the whole does not compile by it.
 copy_lab solutions $lab
 sed -i 's|^    // END overlaps_N_Nearer|#define color circle\n&|' "$scratch/submission/overlaps_N_Nearer.cl"
