@@ -21,6 +21,7 @@ typedef struct Grading {
     Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
     int passes_beside[RESULT_MAX_CHECKS];        // without what stands beside the answers
+    int is_saved_beside;                         // by which checks pass that do not in the whole
     int is_replaced[MANIFEST_MAX_FILES];         // this file could not be used
     int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out, or was not tried
     int has_no_time;       // answers are left that were not tried alone: all tries took too long

@@ -101,6 +101,7 @@ int grading_try_together(Grading *grading)
         result = session_run(&grading->session, variants, 1);
     }
     if (result == 0 && together.is_changed && note_passes(grading, &together) > 0) {
+        grading->is_saved_beside = 1;
         tell(grading, folder);
     }
     variant_free(&together);
