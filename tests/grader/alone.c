@@ -138,7 +138,7 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
 
 // An answer, and behind it the end of each macro that it defines: in another task's lines it would
 // change what stands there. Takes the answer over; NULL stays NULL, and is all without memory.
-static char *seal(char *answer)
+static char *seal(char *answer, int *is_sealed)
 {
     char *sealed = NULL;
     size_t n_bytes;
@@ -149,6 +149,7 @@ static char *seal(char *answer)
         for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
              word = source_next_macro(&reader)) {
             fprintf(stream, "#undef %s\n", word.text);
+            *is_sealed = 1;
         }
         fclose(stream);
     }
@@ -158,14 +159,16 @@ static char *seal(char *answer)
 
 // One of the lab's files as it is handed out, with all of the student's answers that can be put in.
 // NULL after one message.
-static char *answers_text(const Manifest *manifest, const char *file, const char *own)
+static char *answers_text(const Manifest *manifest, const char *file, const char *own, int seals,
+                          int *is_sealed)
 {
     char path[PATH_MAX];
     char *text = skeleton_read(manifest, file);
     path_make(path, "%s/%s", own, file);
     for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        char *answer = strcmp(task->file, file) == 0 ? seal(hole_load(path, task->id)) : NULL;
+        char *answer = strcmp(task->file, file) == 0 ? hole_load(path, task->id) : NULL;
+        answer = seals ? seal(answer, is_sealed) : answer;
         char *filled = answer != NULL ? hole_fill(text, task->id, answer) : NULL;
         if (filled != NULL) {
             free(text);
@@ -176,14 +179,14 @@ static char *answers_text(const Manifest *manifest, const char *file, const char
     return text;
 }
 
-int answers_fill(Session *session, const char *name, const char *own, Variant *variant)
+int answers_fill(Session *session, const char *name, const char *own, int seals, Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
     char folder[PATH_MAX];
     int result = variant_open(&session->workshop, name, variant, folder);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         char path[PATH_MAX];
-        char *text = answers_text(manifest, manifest->files[i], own);
+        char *text = answers_text(manifest, manifest->files[i], own, seals, &variant->is_sealed);
         path_make(path, "%s/%s", own, manifest->files[i]);
         char *own_text = text_file_read(path);
         variant->is_changed |= text != NULL && own_text != NULL && strcmp(text, own_text) != 0;
