@@ -7,7 +7,6 @@
 #include "holes.h"
 #include "jobs.h"
 #include "lot.h"
-#include "message.h"
 #include "path.h"
 #include "skeleton.h"
 #include "source_words.h"
@@ -18,12 +17,26 @@
 #include <string.h>
 #include <sys/stat.h>
 
+// The number for LOT in the stand-ins while a task is tried. Where a check of it may say what was
+// found (is_same_alone), none depends on that number, and it is not the seed's: however an answer
+// calls or reads a stand-in, the report does not tell the number.
+static uint32_t lot_of(const Session *session, const Task *task)
+{
+    for (int i = 0; i < session->judge.n_checks; i++) {
+        const Check *check = &session->judge.checks[i];
+        if (check->is_same_alone && strcmp(check->task, task->id) == 0) {
+            return 0;
+        }
+    }
+    return stand_in_lot(session->settings->seed);
+}
+
 // What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
 // after one message.
-static char *other_body(const Session *session, const Task *task)
+static char *other_body(const Session *session, const Task *task, uint32_t lot)
 {
     const Manifest *manifest = &session->manifest;
-    char *stand_in = stand_in_read(manifest, task, stand_in_lot(session->settings->seed));
+    char *stand_in = stand_in_read(manifest, task, lot);
     if (stand_in != NULL) {
         return stand_in;
     }
@@ -50,7 +63,7 @@ static char *holes_settle(const Session *session, const char *file, const Task *
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
         if (other != task && strcmp(other->file, file) == 0) {
-            char *body = other_body(session, other);
+            char *body = other_body(session, other, lot_of(session, task));
             text = settle(text, other, body);
             free(body);
         }
@@ -124,16 +137,21 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
 }
 
 // An answer, and behind it the end of each macro that it defines: in another task's lines it would
-// change what stands there. Takes the answer over; NULL stays NULL.
-static char *seal(char *answer)
+// change what stands there. Takes the answer over; NULL stays NULL, and is all without memory.
+static char *seal(char *answer, int *is_sealed)
 {
-    SourceReader reader = source_reader(answer != NULL ? answer : "");
-    char *sealed = answer != NULL ? message_new("%s", answer) : NULL;
-    for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
-         word = source_next_macro(&reader)) {
-        char *longer = message_new("%s#undef %s\n", sealed, word.text);
-        free(sealed);
-        sealed = longer;
+    char *sealed = NULL;
+    size_t n_bytes;
+    FILE *stream = answer != NULL ? open_memstream(&sealed, &n_bytes) : NULL;
+    if (stream != NULL) {
+        SourceReader reader = source_reader(answer);
+        fputs(answer, stream);
+        for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
+             word = source_next_macro(&reader)) {
+            fprintf(stream, "#undef %s\n", word.text);
+            *is_sealed = 1;
+        }
+        fclose(stream);
     }
     free(answer);
     return sealed;
@@ -141,14 +159,16 @@ static char *seal(char *answer)
 
 // One of the lab's files as it is handed out, with all of the student's answers that can be put in.
 // NULL after one message.
-static char *answers_text(const Manifest *manifest, const char *file, const char *own)
+static char *answers_text(const Manifest *manifest, const char *file, const char *own, int seals,
+                          int *is_sealed)
 {
     char path[PATH_MAX];
     char *text = skeleton_read(manifest, file);
     path_make(path, "%s/%s", own, file);
     for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
-        char *answer = strcmp(task->file, file) == 0 ? seal(hole_load(path, task->id)) : NULL;
+        char *answer = strcmp(task->file, file) == 0 ? hole_load(path, task->id) : NULL;
+        answer = seals ? seal(answer, is_sealed) : answer;
         char *filled = answer != NULL ? hole_fill(text, task->id, answer) : NULL;
         if (filled != NULL) {
             free(text);
@@ -159,14 +179,14 @@ static char *answers_text(const Manifest *manifest, const char *file, const char
     return text;
 }
 
-int answers_fill(Session *session, const char *name, const char *own, Variant *variant)
+int answers_fill(Session *session, const char *name, const char *own, int seals, Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
     char folder[PATH_MAX];
     int result = variant_open(&session->workshop, name, variant, folder);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         char path[PATH_MAX];
-        char *text = answers_text(manifest, manifest->files[i], own);
+        char *text = answers_text(manifest, manifest->files[i], own, seals, &variant->is_sealed);
         path_make(path, "%s/%s", own, manifest->files[i]);
         char *own_text = text_file_read(path);
         variant->is_changed |= text != NULL && own_text != NULL && strcmp(text, own_text) != 0;

@@ -165,14 +165,15 @@ static int has_full_marks(const Grading *grading)
     return grading->result.score == grading->result.max_score;
 }
 
-// Let a submission draw beside a reference where it has earned every point: of a wrong one nobody
-// needs to know how fast it is. Whatever becomes of that, nothing else of the result changes.
+// Let a submission draw beside a reference where it has earned every point as it was handed in: of a
+// wrong one nobody needs to know how fast it is. Whatever becomes of that, nothing else of the
+// result changes.
 static void run_race(Grading *grading)
 {
     Session *session = &grading->session;
     if (!session->settings->has_no_report && session->manifest.leaderboard != NULL &&
         has_full_marks(grading) && grading->build_log == NULL && grading->whole.trouble == NULL &&
-        allowance_left(&session->allowance) > 0) {
+        !grading->is_saved_beside && allowance_left(&session->allowance) > 0) {
         grading->result.leaderboard = session_race(session, &grading->whole);
     }
 }

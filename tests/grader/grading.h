@@ -21,6 +21,7 @@ typedef struct Grading {
     Variant alone[MANIFEST_MAX_TASKS];           // one answer of it (alone.h)
     AloneVerdicts verdicts[MANIFEST_MAX_TASKS];  // of it
     int passes_beside[RESULT_MAX_CHECKS];        // without what stands beside the answers
+    int is_saved_beside;                         // by which checks pass that do not in the whole
     int is_replaced[MANIFEST_MAX_FILES];         // this file could not be used
     int is_untouched[MANIFEST_MAX_TASKS];  // its task stands as it was handed out, or was not tried
     int has_no_time;       // answers are left that were not tried alone: all tries took too long
@@ -45,7 +46,8 @@ void grading_list_checks(Grading *grading);
 int grading_judge(Grading *grading);
 
 // Where what was handed in does not compile: run what stands between its markers, in the files as
-// they are handed out, in its place. Returns 0, or -1 after one message.
+// they are handed out, in its place; with a macro that one answer defines for another one where it
+// compiles only so. Returns 0, or -1 after one message.
 int grading_retry(Grading *grading);
 
 // Try each answer that failed alone, and let its task have the points that it earns there where
@@ -56,6 +58,10 @@ int grading_try_alone(Grading *grading);
 // is noted, and told where it is more than in the whole (grading_together.c). Returns 0, or -1
 // after one message.
 int grading_try_together(Grading *grading);
+
+// A macro that the answer to task number t uses, and that the student defines outside of it; NULL:
+// none. Owned by the caller.
+char *grading_lacked_macro(const Grading *grading, int t);
 
 // The student's answer to a task: what stands in its hole, or NULL when the markers are gone. Owned
 // by the caller.

@@ -21,20 +21,21 @@ static void own_folder(const Grading *grading, char folder[PATH_MAX])
     path_make(folder, "%s/variant-whole/lab", grading->session.workshop.folder);
 }
 
-int grading_retry(Grading *grading)
+// Run all answers together in the place of the whole, if they compile.
+//   seals, is_sealed   see answers_fill()
+// Returns 0, or -1 after one message.
+static int take_answers(Grading *grading, int seals, int *is_sealed)
 {
     char folder[PATH_MAX];
     Variant answers;
     Variant *const variants[] = {&answers};
-    if (grading->whole.build_log == NULL) {
-        return 0;
-    }
     own_folder(grading, folder);
-    if (answers_fill(&grading->session, "answers", folder, &answers) != 0 ||
+    if (answers_fill(&grading->session, "answers", folder, seals, &answers) != 0 ||
         session_run(&grading->session, variants, 1) != 0) {
         variant_free(&answers);
         return -1;
     }
+    *is_sealed = answers.is_sealed;
     if (answers.build_log == NULL) {
         grading->build_log =
             message_new("%s\nWhat stands between the markers compiles. The rest of these files was "
@@ -46,6 +47,18 @@ int grading_retry(Grading *grading)
         variant_free(&answers);
     }
     return 0;
+}
+
+int grading_retry(Grading *grading)
+{
+    int is_sealed = 0, result = 0;
+    if (grading->whole.build_log != NULL) {
+        result = take_answers(grading, 1, &is_sealed);
+    }
+    if (result == 0 && grading->whole.build_log != NULL && is_sealed) {
+        result = take_answers(grading, 0, &is_sealed);
+    }
+    return result;
 }
 
 // ---- Trying -------------------------------------------------------------------------------------
@@ -241,7 +254,8 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
     return is_others;
 }
 
-// Does the answer name another task? Then a stand-in may have had a part in what was found alone.
+// Does the answer name another task, or make names by # or ##, in a macro of its own? Then a
+// stand-in may have had a part in what was found alone.
 static int names_others(const Grading *grading, int t)
 {
     char *answer = grading_answer(grading, task_of(grading, t));
@@ -249,6 +263,8 @@ static int names_others(const Grading *grading, int t)
     SourceReader reader = source_reader(answer != NULL ? answer : "");
     for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
          word = source_next(&reader)) {
+        n_named +=
+            word.in_directive && !word.begins_directive && source_is(&word, SOURCE_SIGN, "#");
         for (int other = 0; other < grading->session.manifest.n_tasks; other++) {
             n_named += other != t && source_is(&word, SOURCE_NAME, task_of(grading, other)->id);
         }
@@ -323,6 +339,30 @@ static void tell_end(CheckResult *check, const Variant *alone)
     check->is_told_alone = 1;
 }
 
+// Say of a check that its answer does not compile alone, if that may be as it uses a macro that is
+// defined elsewhere. Returns whether there was anything to say.
+static int tell_lack(const Grading *grading, int t, CheckResult *check)
+{
+    char *macro = grading_lacked_macro(grading, t);
+    if (macro != NULL) {
+        const int is_found = check->status == CHECK_FAILED;
+        check_fail(check,
+                   (Diagnosis){.found = message_new("%s%swithout your other answers it does not "
+                                                    "compile",
+                                                    is_found ? check->diagnosis.found : "",
+                                                    is_found ? "; " : ""),
+                               .cause = message_new("it uses the macro %s, which is not defined "
+                                                    "between its own markers",
+                                                    macro),
+                               .evidence = check->diagnosis.evidence});
+        check->is_explained = 1;
+        check->is_told_alone = 1;
+    }
+    const int is_told = macro != NULL;
+    free(macro);
+    return is_told;
+}
+
 // What is said of check number i of task t, which failed alone, too, or by nobody else's fault.
 //   is_others   another answer may have a part in what was found in the whole
 static void note_own(Grading *grading, int t, int i, int is_others)
@@ -335,7 +375,9 @@ static void note_own(Grading *grading, int t, int i, int is_others)
     if (!is_others || passes) {
         return;
     }
-    if (alone->build_log != NULL) {
+    if (alone->build_log != NULL && tell_lack(grading, t, check)) {
+        return;
+    } else if (alone->build_log != NULL) {
         // What does not compile is reported once, under "Compiling".
         check->alone = "without your other answers it does not compile, so it was not tested alone";
     } else if (alone->trouble != NULL) {

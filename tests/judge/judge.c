@@ -156,14 +156,12 @@ static Verdict judge_scenes(const Job *job, const JudgeCheck *check, const Secti
     return verdict;
 }
 
-// Is what a check says of a picture contradicted by the first wrong picture of another check of the
+// Is a mistake that a check names contradicted by the first wrong picture of another check of the
 // task? Then it is not what the task's answer does.
-static int is_contradicted(const Job *job, const JudgeCheck *check, const char *cause,
+static int is_contradicted(const Job *job, const JudgeCheck *check, const char *rule,
                            const Sections *answers)
 {
-    const size_t n_prefix = strlen(IT_LOOKS);
-    int may_be = 1;
-    for (int i = 0; may_be && i < job->judge->n_checks; i++) {
+    for (int i = 0; i < job->judge->n_checks; i++) {
         const JudgeCheck *other = &job->judge->checks[i];
         int is_right = other != check && other->scene == judge_picture &&
                        strcmp(other->task, check->task) == 0;
@@ -172,19 +170,19 @@ static int is_contradicted(const Job *job, const JudgeCheck *check, const char *
             const JobPicture *picture = job_picture(job, k);
             const ProbeImage own = job_picture_answer(picture, k, answers);
             is_right = own.pixels != NULL && picture_is_right(own, &picture->expected);
-            may_be = is_right || own.pixels == NULL || strncmp(cause, IT_LOOKS, n_prefix) != 0 ||
-                     picture_may_look(own, &picture->expected, cause + n_prefix);
+            if (!is_right && own.pixels && !picture_may_look(own, &picture->expected, rule)) {
+                return 1;
+            }
         }
     }
-    return !may_be;
+    return 0;
 }
 
 static Verdict judge_pictures(const Job *job, const JudgeCheck *check, const Sections *answers)
 {
     Verdict verdict = judge_scenes(job, check, answers);
     Diagnosis *diagnosis = &verdict.diagnosis;
-    if (verdict.kind == VERDICT_FAILED && diagnosis->cause != NULL &&
-        is_contradicted(job, check, diagnosis->cause, answers)) {
+    if (diagnosis->rule != NULL && is_contradicted(job, check, diagnosis->rule, answers)) {
         free(diagnosis->cause);
         diagnosis->cause = NULL;
         diagnosis->mistake = MISTAKE_NONE;

@@ -252,12 +252,31 @@ for where in 's|^    // TASK overlaps_N_Nearer.*|#define r radius\n&|' 's|^    /
     check "a macro that reaches another task costs it nothing" grades 0 100 $(kept $lab) $submission
     check "and is told" stage "Beside your answers" failed "macro"
 done
+# Of many macros the report names some.
+copy_lab solutions $lab
+awk 'BEGIN { print "#define r radius"; for (i = 0; i < 16000; i++) print "#define m" i }' >"$scratch/macros"
+sed -i "/END overlaps_N_Nearer/r $scratch/macros" "$scratch/submission/overlaps_N_Nearer.cl"
+# shellcheck disable=SC2046,SC2086
+check "a file full of macros" grades 0 100 $(kept $lab) $submission
+check "of which some are told" stage "Beside your answers" failed "r, m0, m1, m2, m3, m4, m5, m6; end"
 # The same where the whole does not compile by it.
 copy_lab solutions $lab
 sed -i 's|^    // END overlaps_N_Nearer|#define color circle\n&|' "$scratch/submission/overlaps_N_Nearer.cl"
 # shellcheck disable=SC2046,SC2086
 check "a macro that ends the compiling of another task costs it nothing" grades 0 100 $(kept $lab) $submission
 check "and the report says what does not compile" stage Compiling failed "color"
+
+# A macro of one answer that another one needs is there, too, where a line beside the answers does not compile.
+# Where its own answer does not, the other one pays for what it lacks, and reads so.
+copy_lab solutions $lab
+sed -i 's|^    const float dx = x|#define NEARER(a, b) ((a) < (b))\n&|' "$scratch/submission/overlaps_N_Nearer.cl"
+sed -i 's|&work)) {|\&work) \&\& NEARER(circle.depth, minDepth)) {|' "$scratch/submission/implicit2DRenderer.cl"
+echo 'int broken(' >>"$scratch/submission/overlaps_N_Nearer.cl"
+# shellcheck disable=SC2046,SC2086
+check "a macro that another answer needs costs it nothing" grades 0 100 $(kept $lab) $submission
+sed -i 's|^int broken(||; s|return circle|retrun circle|' "$scratch/submission/overlaps_N_Nearer.cl"
+broken "where it is not there, its user pays" 20
+check "and the report names it" holds "it uses the macro NEARER"
 
 # An answer that is wrong at one pixel of a picture, or ends there, pays by itself.
 for body in 'if (x == 7 \&\& y == 7) return 1;:85' 'while (x == 7 \&\& y == 7) { minDepth += 1; }:60' \

@@ -1,5 +1,6 @@
 // judge/picture: a wrong picture is called by the right name, or by none.
 #include "picture_case.h"
+#include "picture_looks.h"
 
 #include <math.h>
 
@@ -336,5 +337,40 @@ Test(picture_looks, the_kinds_of_what_is_wrong_are_known)
                IMAGE_CHANNELS * sizeof(float));
     }
     expect_kinds(c, MISTAKE_MIRRORED_X, EVIDENCE_PICTURE, 1);
+    case_close(c);
+}
+
+// Show the picture of a known mistake. Returns its diagnosis.
+static Diagnosis show_mistake(Case *c, size_t i)
+{
+    Image picture;
+    cr_assert_eq(image_create(c->width, c->height, &picture), 0);
+    oracle2d_draw(c->circles, N_CIRCLES, &mistakes[i].rules, &picture, NULL);
+    own_show(c, &picture);
+    image_free(&picture);
+    return picture_judge(c->probe, &c->expected);
+}
+
+Test(picture_looks, a_known_mistake_is_asked_of_another_picture_by_its_rule)
+{
+    Case *c = case_open(96, 64, 1);
+    Diagnosis strict = show_mistake(c, 0);
+    cr_assert_not_null(strict.rule);
+    cr_expect_str_eq(strict.rule, mistakes[0].looks);
+    cr_expect(picture_may_look(c->probe, &c->expected, strict.rule));
+    Diagnosis inverted = show_mistake(c, 4);
+    cr_expect_not(picture_may_look(c->probe, &c->expected, strict.rule), "another mistake");
+    cr_expect(picture_may_look(c->probe, &c->expected, "not one of the scene's"));
+    // A cause that is made of this picture has no rule.
+    own_show(c, &c->expected.reference);
+    for (int i = 0; i < 96 * 64; i++) {
+        own_pixel(c, i % 96, i / 96)[2] = 0.75f;
+    }
+    Diagnosis blue = picture_judge(c->probe, &c->expected);
+    cr_expect_not_null(blue.cause);
+    cr_expect_null(blue.rule);
+    diagnosis_free(&strict);
+    diagnosis_free(&inverted);
+    diagnosis_free(&blue);
     case_close(c);
 }

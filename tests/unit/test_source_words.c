@@ -105,3 +105,16 @@ Test(source_words, broken_texts_are_read_to_their_end)
     expect_words("a '\\", "a '\\");
     expect_words("", "");
 }
+
+Test(source_words, macros_are_listed_but_for_those_behind_if_0)
+{
+    SourceReader reader =
+        source_reader("#define a\n#if 0\n#define b\n#ifdef c\n#else\n#define d\n#endif\n#else\n"
+                      "#define e\n#endif\n#if 0 || 1\n#define f(x) x\n#endif\n#if 0\n#endif\n"
+                      "#define g\n#if 0\n#define h");
+    static const char *const expected[] = {"a", "e", "f", "g", "", ""};
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        const SourceWord word = source_next_macro(&reader);
+        cr_expect_str_eq(word.text, expected[i]);
+    }
+}

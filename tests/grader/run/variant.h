@@ -40,6 +40,7 @@ typedef struct Variant {
     int is_second;     // its kernels are compiled by SECOND_COMPILER, after a run that ended early
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
+    int is_sealed;   // of all answers together: the macro of one ends with it
     const char *alone;     // whose answer is tried alone, with a job of its own; NULL: all of them
     int has_only_kernels;  // tasks of host files are not tried: these are as they are handed out
     int is_told;           // the report says already how and where it ended

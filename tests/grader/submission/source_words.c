@@ -239,11 +239,38 @@ SourceWord source_next(SourceReader *reader)
     return word;
 }
 
+// Does `0`, and nothing else, come in the rest of a directive?
+static int is_0(SourceReader rest)
+{
+    const SourceWord number = source_next(&rest);
+    return source_is(&number, SOURCE_NUMBER, "0") &&
+           (source_next(&rest).begins_directive || !rest.in_directive);
+}
+
+// Pass by what no compiler reads behind `#if 0`.
+static void dead_lines_pass(SourceReader *reader)
+{
+    SourceWord word = source_next(reader);
+    for (int depth = 1; word.kind != SOURCE_END; word = source_next(reader)) {
+        if (word.in_directive && word.kind == SOURCE_NAME) {
+            depth += source_is_one_of(&word, "if ifdef ifndef");
+            depth -= source_is_one_of(&word, "endif") ||
+                     (depth == 1 && source_is_one_of(&word, "else elif"));
+        }
+        if (depth == 0) {
+            return;
+        }
+    }
+}
+
 SourceWord source_next_macro(SourceReader *reader)
 {
     SourceWord word = source_next(reader);
     while (word.kind != SOURCE_END) {
         const int is_definition = word.in_directive && source_is(&word, SOURCE_NAME, "define");
+        if (word.in_directive && source_is(&word, SOURCE_NAME, "if") && is_0(*reader)) {
+            dead_lines_pass(reader);
+        }
         word = source_next(reader);
         if (is_definition && word.kind == SOURCE_NAME) {
             break;

@@ -43,7 +43,8 @@ SourceReader source_reader(const char *source);
 // open string ends with its line, an open comment with the source.
 SourceWord source_next(SourceReader *reader);
 
-// The name of the next macro that the source defines; SOURCE_END where there is no more.
+// The name of the next macro that the source defines, but for those behind #if 0; SOURCE_END where
+// there is no more.
 SourceWord source_next_macro(SourceReader *reader);
 
 // All words but those of directives: *n_words of them, free() the array. NULL when memory runs out.

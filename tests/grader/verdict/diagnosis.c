@@ -74,7 +74,8 @@ Diagnosis diagnosis_of(char *found, Cause cause)
 Diagnosis diagnosis_seen(char *found, Cause looks, Evidence evidence)
 {
     return (Diagnosis){.found = found,
-                       .cause = looks.says != NULL ? message_new(IT_LOOKS "%s", looks.says) : NULL,
+                       .cause = looks.says != NULL ? message_new("it looks %s", looks.says) : NULL,
+                       .rule = looks.says,
                        .mistake = looks.mistake,
                        .evidence = evidence};
 }

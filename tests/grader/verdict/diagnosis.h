@@ -63,6 +63,7 @@ typedef struct Diagnosis {
     char *found;  // what was found and where, "pixel (3, 4): found 0, expected 1"; NULL: nothing is
                   // wrong. Owned
     char *cause;  // what it looks like, or NULL. Owned
+    const char *rule;  // the known mistake that the cause was made of: its Cause.says, or NULL
     Mistake mistake;
     Evidence evidence;
     Silence silence;
@@ -81,8 +82,7 @@ __attribute__((format(printf, 2, 3))) Diagnosis diagnosis_silent(Silence silence
 // What was found, with what it looks like. Takes `found` over.
 Diagnosis diagnosis_of(char *found, Cause cause);
 
-// The same of what was seen in a scene: the cause is "it looks ..." as `looks` says.
-#define IT_LOOKS "it looks "
+// The same of what was seen in a scene: the cause is "it looks ..." as `looks` says, which stays.
 Diagnosis diagnosis_seen(char *found, Cause looks, Evidence evidence);
 
 // The diagnosis with where it was found before it: "random scene: pixel (3, 4): ...". Takes it

@@ -101,13 +101,15 @@ static Diagnosis describe_unwritten(ProbeImage own, const ExpectedPicture *expec
                                     PixelPair first, int n_unwritten)
 {
     const Words cut = picture_cut(own, expected);
-    return diagnosis_seen(
-        message_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected %s "
-                    "(%d of %d pixels were not written)",
-                    first.x, first.y, expected->reference.width, expected->reference.height,
-                    color_words(first.wanted).text, n_unwritten, expected_n_pixels(expected)),
-        (Cause){.says = cut.text[0] != '\0' ? cut.text : NULL, .mistake = MISTAKE_UNWRITTEN},
-        EVIDENCE_PICTURE);
+    Diagnosis unwritten =
+        diagnosis_new("nobody wrote pixel (%d, %d) of a %dx%d picture: found nothing, expected %s "
+                      "(%d of %d pixels were not written)",
+                      first.x, first.y, expected->reference.width, expected->reference.height,
+                      color_words(first.wanted).text, n_unwritten, expected_n_pixels(expected));
+    unwritten.cause = cut.text[0] != '\0' ? message_new("it looks %s", cut.text) : NULL;
+    unwritten.mistake = MISTAKE_UNWRITTEN;
+    unwritten.evidence = EVIDENCE_PICTURE;
+    return unwritten;
 }
 
 Diagnosis picture_judge(ProbeImage own, const ExpectedPicture *expected)

@@ -2,6 +2,7 @@
 #include "picture_looks.h"
 
 #include "jobs.h"
+#include "message.h"
 #include "words.h"
 
 #include <math.h>
@@ -133,21 +134,22 @@ Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected)
     return looks;
 }
 
-int picture_may_look(ProbeImage own, const ExpectedPicture *expected, const char *says)
+int picture_may_look(ProbeImage own, const ExpectedPicture *expected, const char *rule)
 {
     MistakenPictures *known = expected->mistaken;
-    int is_known = 0, is_like = 0;
-    for (int i = 0; known != NULL && !is_like; i++) {
+    int is_known = 0;
+    for (int i = 0; known != NULL; i++) {
         if ((i == known->n && draw_next(expected) != 0) || known->pictures[i].looks.says == NULL) {
             break;
         }
-        if (strcmp(known->pictures[i].looks.says, says) == 0) {
-            const Tally tally = compare(own, expected, &known->pictures[i]);
+        if (strcmp(known->pictures[i].looks.says, rule) == 0) {
             is_known = 1;
-            is_like = !tally.misses_first;
+            if (!compare(own, expected, &known->pictures[i]).misses_first) {
+                return 1;
+            }
         }
     }
-    return is_like || !is_known;
+    return !is_known;
 }
 
 // ---- Backgrounds ------------------------------------------------------------------------------
@@ -240,19 +242,20 @@ Cause picture_known(ProbeImage own, const ExpectedPicture *expected)
 
 Diagnosis picture_looks(ProbeImage own, const ExpectedPicture *expected, char *found)
 {
+    Diagnosis looks = {.found = found, .evidence = EVIDENCE_PICTURE};
     // One circle too many may cover all of an empty picture.
     if (!shows_beyond(own, expected) && is_other_background(own, expected)) {
         const float *color = expected->background;
-        const Words background =
-            words("right but for the background, which is (%g, %g, %g, %g) in all four channels",
-                  color[0], color[1], color[2], color[3]);
-        return diagnosis_seen(found, (Cause){.says = background.text}, EVIDENCE_PICTURE);
+        looks.cause = message_new("it looks right but for the background, which is (%g, %g, %g, "
+                                  "%g) in all four channels",
+                                  color[0], color[1], color[2], color[3]);
+        return looks;
     }
-    const Cause looks = picture_known(own, expected);
-    if (looks.says != NULL) {
-        return diagnosis_seen(found, looks, EVIDENCE_PICTURE);
+    const Cause known = picture_known(own, expected);
+    if (known.says != NULL) {
+        return diagnosis_seen(found, known, EVIDENCE_PICTURE);
     }
     const Words place = picture_place(own, expected);
-    return diagnosis_seen(found, (Cause){.says = place.text[0] != '\0' ? place.text : NULL},
-                          EVIDENCE_PICTURE);
+    looks.cause = place.text[0] != '\0' ? message_new("it looks %s", place.text) : NULL;
+    return looks;
 }

@@ -26,8 +26,8 @@ Cause picture_known(ProbeImage own, const ExpectedPicture *expected);
 // The scene's own mistake that it looks like.
 Cause picture_mistaken(ProbeImage own, const ExpectedPicture *expected);
 
-// May a wrong picture be of the mistake with this sentence? It may where the scene knows none such.
-int picture_may_look(ProbeImage own, const ExpectedPicture *expected, const char *says);
+// May a wrong picture be of this known mistake? It may where the scene knows none such.
+int picture_may_look(ProbeImage own, const ExpectedPicture *expected, const char *rule);
 
 // The same of mistakes that are made to a whole picture, "shifted by one pixel up".
 Cause picture_distortion(ProbeImage own, const ExpectedPicture *expected);
