@@ -225,6 +225,7 @@ static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Imag
          {.strict_boundary = 1}},
         {{"drawn as if of two equal depths the later circle won", MISTAKE_LATER_OF_EQUALS},
          {.later_wins_ties = 1}},
+        {{.says = "drawn as if only the first circle were asked"}, {.most_asked = 1}},
         {{.says = "drawn as if depth did not matter: the last circle covers the others"},
          {.ignore_depth = 1}},
         {{.says = "drawn as if depth did not matter: the first circle keeps the pixel"},
