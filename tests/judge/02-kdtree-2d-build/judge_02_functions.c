@@ -57,7 +57,8 @@ ANSWERS(failed_below, LOW || FEW || !HOPELESS, TURNED)
 ANSWERS(contrary, !LEAF_02, "1 and 0 are swapped: 1 is a leaf")
 ANSWERS(one_failed_more, LOW || FEW || in.n_failed > MAX_FAILED_SPLITS,
         "your answers are those of n_failed > MAX_FAILED_SPLITS: exactly that many are enough")
-ANSWERS(without_failed, LOW || FEW, "failed splits were not asked for")
+ANSWERS(without_failed, LOW || FEW,
+        "however many splits have failed, they make no leaf there: MAX_FAILED_SPLITS of them do")
 ANSWERS(limits_swapped,
         in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || HOPELESS,
         "the two limits are in each other's places")
@@ -70,14 +71,13 @@ LEAF_WHERE(level_to_failed, in.level >= MAX_FAILED_SPLITS, FEW, HOPELESS, OTHER_
 LEAF_WHERE(count_to_depth, LOW, N_CIRCLES <= in.maxDepth, HOPELESS, OTHER_LIMIT)
 LEAF_WHERE(count_to_failed, LOW, N_CIRCLES <= MAX_FAILED_SPLITS, HOPELESS, OTHER_LIMIT)
 LEAF_WHERE(count_to_level, LOW, N_CIRCLES <= in.level, HOPELESS, OTHER_LIMIT)
-LEAF_WHERE(failed_to_depth, LOW, FEW, FAILED(in.maxDepth), OTHER_LIMIT)
 LEAF_WHERE(failed_to_target, LOW, FEW, FAILED(in.targetElementsPerNode), OTHER_LIMIT)
 LEAF_WHERE(failed_to_level, LOW, FEW, FAILED(in.level), OTHER_LIMIT)
 LEAF_WHERE(one_circle_more, LOW, N_CIRCLES <= 1LL + in.targetElementsPerNode, HOPELESS,
            "one circle more than targetElementsPerNode is not few enough")
 #define KNOWN_OTHER_LIMITS                                                                         \
     &level_to_target, &level_to_failed, &count_to_depth, &count_to_failed, &count_to_level,        \
-        &failed_to_depth, &failed_to_target, &failed_to_level, &one_circle_more
+        &failed_to_target, &failed_to_level, &one_circle_more
 
 #define TARGET_IGNORED                                                                             \
     "your answers are those of a number of your own: targetElementsPerNode says what is few"
@@ -185,20 +185,17 @@ RIGHT(is_longer, IS_FOUND(WIDTH >= HEIGHT))
 #define SHORTER "the shorter side was split"
 #define NOT_EQUAL "the sides are not equal, if nearly: the longer one is split"
 
-ANSWERS(by_corners, in.maxX >= in.maxY,
-        "maxX and maxY were compared: the lengths of the sides count")
 #define WRONG_SIDE "a side was computed wrongly: it is its own maximum minus its own minimum"
 ANSWERS(sum_of_x, (double)in.maxX + in.minX >= HEIGHT, WRONG_SIDE)
 ANSWERS(sum_of_y, WIDTH >= (double)in.maxY + in.minY, WRONG_SIDE)
 ANSWERS(sums, (double)in.maxX + in.minX >= (double)in.maxY + in.minY, WRONG_SIDE)
-ANSWERS(x_from_min_y, (double)in.maxX - in.minY >= HEIGHT, WRONG_SIDE)
-ANSWERS(x_to_max_y, (double)in.maxY - in.minX >= HEIGHT, WRONG_SIDE)
-ANSWERS(y_from_min_x, WIDTH >= (double)in.maxY - in.minX, WRONG_SIDE)
-ANSWERS(y_to_max_x, WIDTH >= (double)in.maxX - in.minY, WRONG_SIDE)
 ANSWERS(x_is_max, in.maxX >= HEIGHT, WRONG_SIDE)
 ANSWERS(y_is_max, WIDTH >= in.maxY, WRONG_SIDE)
-ANSWERS(by_low_corners, in.minX >= in.minY,
-        "minX and minY were compared: the lengths of the sides count")
+// So are a width that begins at minY, and a height that begins at minX, or ends at the other's end.
+ANSWERS(by_corners, in.maxX >= in.maxY,
+        "your answers are those of maxX against maxY: the lengths of the sides count")
+ANSWERS(by_low_corners, in.minX <= in.minY,
+        "your answers are those of minX against minY: the lengths of the sides count")
 ANSWERS(always_x, 1, SHORTER)
 ANSWERS(always_y, 0, SHORTER)
 ANSWERS(whole_numbers, (int)WIDTH >= (int)HEIGHT, NOT_EQUAL)
@@ -209,10 +206,9 @@ ONLY(nearly_equal, side != SIDE_NONE && NEARLY_EQUAL, NOT_EQUAL)
 ONLY(some_shorter, side != SIDE_NONE && WIDTH != HEIGHT && !NEARLY_EQUAL, SHORTER)
 
 static const Known *const known_of_longer[] = {
-    &by_corners,   &by_low_corners, &sum_of_x,     &sum_of_y,      &sums,
-    &x_from_min_y, &x_to_max_y,     &y_from_min_x, &y_to_max_x,    &x_is_max,
-    &y_is_max,     &always_x,       &always_y,     &whole_numbers, &shorter,
-    &none_split,   &equal,          &nearly_equal, &some_shorter};
+    &by_corners, &by_low_corners, &sum_of_x, &sum_of_y,     &sums,
+    &x_is_max,   &y_is_max,       &always_x, &always_y,     &whole_numbers,
+    &shorter,    &none_split,     &equal,    &nearly_equal, &some_shorter};
 
 // Where: along the side that the student has split, be it the right one or not. Across a side of no
 // length nothing is seen of a split.

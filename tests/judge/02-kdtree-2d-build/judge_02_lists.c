@@ -198,8 +198,8 @@ static int is_reordered(Kept kept, u32 n_found)
     return kept.n > 1 && n_found == kept.n && kept.n_listed == kept.n;
 }
 
-EACH(none_written, N_FOUND == 0 && found[1] == UNTOUCHED, "no list ever gets an id")
-EACH(counted_only, N_FOUND == KEPT_OF.n && found[1] == UNTOUCHED,
+LIST(none_written, in.n_ids, 0, n, ID, n, "no list ever gets an id")
+LIST(counted_only, in.n_ids, KEPT(ID), n, UNTOUCHED, n + 1,
      "the ids are counted, and not written into child_ids")
 ONLY(empty_asked, in.n_ids == 0 && N_FOUND > 0,
      "nothing is asked of an empty list, not even ids[0]")

@@ -2,6 +2,7 @@
 // task: implicit2DRenderer
 // caught by: renderer-random
 // says: blue and alpha swapped
+// looks: channels-swapped
     float minDepth = INFINITY;
     for (int i = 0; i < n_circles; i++) {
         const Circle circle = circles[i];
