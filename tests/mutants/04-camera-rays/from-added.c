@@ -2,6 +2,7 @@
 // task: camera_axes
 // caught by: axes-forward
 // says: minus .from., not plus
-    *forward = vec3_normalized(vec3_plus(view.from, view.at));
-    *right = vec3_normalized(vec3_cross(*forward, view.up));
-    *up = vec3_cross(*right, *forward);
+const Vec3 sum = {view.at.x + view.from.x, view.at.y + view.from.y, view.at.z + view.from.z};
+*forward = vec3_normalized(sum);
+*right = vec3_normalized(vec3_cross(*forward, view.up));
+*up = vec3_cross(*right, *forward);
