@@ -2,6 +2,7 @@
 // task: enqueue_pixels
 // caught by: enqueue-covers
 // says: one row of work-items
+// looks: unwritten
     const size_t local_size[1] = {GROUP_SIZE};
     const size_t global_size[1] = {
         ((size_t)width + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
