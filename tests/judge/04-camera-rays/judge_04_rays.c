@@ -108,6 +108,17 @@ static int is_turned(const Job *job, const PixelJob *in, Vec3 found)
 RIGHT(is_right_direction, is_turned(job, in, found))
 RIGHT(is_unit, fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04)
 
+// The point on the display of another pixel or picture.
+static PixelJob other_pixel(const PixelJob *in, i32 x, i32 y, i32 width, i32 height)
+{
+    PixelJob other = *in;
+    other.x = x, other.y = y, other.width = width, other.height = height;
+    return other;
+}
+
+#define OF_OTHER(x, y, width, height)                                                              \
+    turned_by(CAMERA, display_of(job, (PixelJob[]){other_pixel(in, x, y, width, height)}))
+
 ANSWERS(turned_round, turned_back(CAMERA, DISPLAY),
         "the view transform is turned round: x times right plus y times up plus z times forward")
 ANSWERS(backwards, vector_scaled(-1, turned_by(CAMERA, DISPLAY)), "it points backwards")
@@ -116,8 +127,6 @@ ANSWERS(with_the_eye, vector_plus(vector_of(CAMERA->eye), turned_by(CAMERA, DISP
         "the eye was added: that makes a point, and a direction has no place")
 ANSWERS(with_fov_1, turned_by(CAMERA, display(in, 1, in->width, in->height)),
         "that is the direction of a fov of 1, not the camera's")
-ANSWERS(with_swapped_size, turned_by(CAMERA, display(in, CAMERA->fov, in->height, in->width)),
-        "width and height are swapped")
 ANSWERS(up_is_down, turned_by(CAMERA, (OracleVector){DISPLAY.x, -DISPLAY.y, 1}),
         "up and down are swapped")
 EACH(no_forward, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, (OracleVector){DISPLAY.x, DISPLAY.y, 0})),
@@ -149,16 +158,8 @@ ALONG(forward_for_right, forward, up, forward)
 ANSWERS(without_the_eye, vector_minus(turned_by(CAMERA, DISPLAY), vector_of(CAMERA->eye)),
         "the eye was taken off: that makes a point, and a direction has no place")
 
-// The point on the display of another pixel or picture.
-static PixelJob other_pixel(const PixelJob *in, i32 x, i32 y, i32 width, i32 height)
-{
-    PixelJob other = *in;
-    other.x = x, other.y = y, other.width = width, other.height = height;
-    return other;
-}
-
-#define OF_OTHER(x, y, width, height)                                                              \
-    turned_by(CAMERA, display_of(job, (PixelJob[]){other_pixel(in, x, y, width, height)}))
+ANSWERS(with_swapped_size, OF_OTHER(in->x, in->y, in->height, in->width),
+        "width and height are swapped")
 ANSWERS(swapped_pixel, OF_OTHER(in->y, in->x, in->width, in->height),
         "x and y are swapped in the call of pixel_on_display")
 #define ONE_SIZE "width or height is there twice in the call of pixel_on_display"
