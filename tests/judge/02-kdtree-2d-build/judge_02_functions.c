@@ -58,7 +58,7 @@ ANSWERS(contrary, !LEAF_02, "1 and 0 are swapped: 1 is a leaf")
 ANSWERS(one_failed_more, LOW || FEW || in.n_failed > MAX_FAILED_SPLITS,
         "your answers are those of n_failed > MAX_FAILED_SPLITS: exactly that many are enough")
 ANSWERS(without_failed, LOW || FEW,
-        "however many splits have failed, they make no leaf there: MAX_FAILED_SPLITS of them do")
+        "failed splits never make a leaf there: MAX_FAILED_SPLITS of them do")
 ANSWERS(limits_swapped,
         in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || HOPELESS,
         "the two limits are in each other's places")
