@@ -335,7 +335,7 @@ static void tell_end(CheckResult *check, const Variant *alone)
                                                        is_found ? check->diagnosis.found : "",
                                                        is_found ? "; " : "", end),
                                   .evidence = check->diagnosis.evidence});
-    check->is_explained = 1;
+    check->is_explained = alone->is_endless || alone->has_crashed;
     check->is_told_alone = 1;
 }
 

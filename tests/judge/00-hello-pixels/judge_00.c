@@ -19,10 +19,13 @@ typedef struct GradientRules {
     int is_of_launch;  // the sizes are those of the probe's launch
     int is_whole;      // coordinate and size are divided as whole numbers
     int n_steps;       // to how many red and green are rounded down; 0: they are not
+    int is_by_other;   // the coordinate is divided by the other size
+    int is_right[2];   // red, or green, is drawn as it should be
 } GradientRules;
 
-static float gradient_channel(int coordinate, int size, const GradientRules *rules)
+static float gradient_channel(int coordinate, int size, int other, const GradientRules *rules)
 {
+    size = rules->is_by_other ? other : size;
     const int divisor = rules->is_of_launch ? PROBE_IMAGE_SIDE(size) : size - rules->less;
     const double value = (coordinate + rules->offset) / divisor;
     return (float)(rules->is_whole ? floor(value)
@@ -31,21 +34,26 @@ static float gradient_channel(int coordinate, int size, const GradientRules *rul
                        : value);
 }
 
+static const GradientRules right = {0};
+
 // Draw in double precision.
 static void gradient_draw(Image *image, const GradientRules *rules)
 {
+    const int width = image->width, height = image->height;
     float *pixel = image->pixels;
     for (int y = 0; y < image->height; y++) {
         for (int x = 0; x < image->width; x++, pixel += IMAGE_CHANNELS) {
-            pixel[0] = gradient_channel(x, image->width, rules);
-            pixel[1] = gradient_channel(y, image->height, rules);
+            pixel[0] = gradient_channel(x, width, height, rules->is_right[0] ? &right : rules);
+            pixel[1] = gradient_channel(y, height, width, rules->is_right[1] ? &right : rules);
             pixel[2] = 0.25f;
             pixel[3] = 1;
         }
     }
 }
 
-static const GradientRules right = {0};
+#define HALF_A_PIXEL                                                                               \
+    "shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "       \
+    "coordinate"
 
 // As DrawMistaken of picture.h has it.
 static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *tolerances)
@@ -54,10 +62,21 @@ static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *
         Cause looks;
         GradientRules rules;
     } mistakes[] = {
-        {{"shifted by half a pixel: the colour is that of the pixel's middle, not of its integer "
-          "coordinate",
-          MISTAKE_SHIFTED_HALF},
-         {.offset = 0.5}},
+        {{HALF_A_PIXEL, MISTAKE_SHIFTED_HALF}, {.offset = 0.5}},
+        {{HALF_A_PIXEL, MISTAKE_SHIFTED_HALF}, {.offset = 0.5, .is_right = {1, 0}}},
+        {{HALF_A_PIXEL, MISTAKE_SHIFTED_HALF}, {.offset = 0.5, .is_right = {0, 1}}},
+        {{"shifted by one pixel: columns and rows count from 0", MISTAKE_SHIFTED_ONE},
+         {.offset = 1}},
+        {{.says = "drawn with width and height swapped: red is by width, green by height"},
+         {.is_by_other = 1}},
+        {{.says = "drawn with green divided by width: it is by height"},
+         {.is_by_other = 1, .is_right = {1, 0}}},
+        {{.says = "drawn with red divided by height: it is by width"},
+         {.is_by_other = 1, .is_right = {0, 1}}},
+        {{.says = "drawn as if the last row had the colour 1: height is one too small"},
+         {.less = 1, .is_right = {1, 0}}},
+        {{.says = "drawn as if the last column had the colour 1: width is one too small"},
+         {.less = 1, .is_right = {0, 1}}},
         {{.says =
               "drawn as if the last column and row had the colour 1: the sizes are one too small"},
          {.less = 1}},
@@ -66,6 +85,10 @@ static Cause draw_mistaken(const void *scene, int mistake, Image *guess, float *
          {.is_of_launch = 1}},
         {{.says = "drawn by whole-number division: x / width is 0 for every pixel"},
          {.is_whole = 1}},
+        {{.says = "drawn by whole-number division: red is 0 for every pixel"},
+         {.is_whole = 1, .is_right = {0, 1}}},
+        {{.says = "drawn by whole-number division: green is 0 for every pixel"},
+         {.is_whole = 1, .is_right = {1, 0}}},
         {{.says = "drawn in 255 steps, as a PNG file needs them: the image takes any float"},
          {.n_steps = 255}},
     };

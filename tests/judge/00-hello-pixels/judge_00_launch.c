@@ -84,6 +84,11 @@ static Launch items_times_group(const Job00 *job, int k)
     return (Launch){size.width * GROUP_SIDE, size.height * GROUP_SIDE};
 }
 
+static Launch one_row(const Job00 *job, int k)
+{
+    return (Launch){side_in_groups(picture_size(job, k).width), 1};
+}
+
 static Launch one_group(const Job00 *job, int k)
 {
     (void)job, (void)k;
@@ -104,6 +109,7 @@ static const struct {
     {first_again, "that is the size of an earlier call: each call has its own"},
     {groups_for_items, "the global size counts work-items, not groups"},
     {items_times_group, "each pixel has one work-item, not a group of them"},
+    {one_row, "that is one row of work-items: a picture has two dimensions"},
     {one_group, "that is one group, whatever the picture's size"},
 };
 

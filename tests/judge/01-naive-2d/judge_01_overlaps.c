@@ -46,6 +46,11 @@ ANSWERS(from_left, covers(in, in.x - 0.5, in.y), HALF_ACROSS)
 ANSWERS(from_below, covers(in, in.x, in.y + 0.5), HALF_ACROSS)
 ANSWERS(from_above, covers(in, in.x, in.y - 0.5), HALF_ACROSS)
 
+#define ONE_PIXEL "shifted by one pixel: columns and rows count from 0", MISTAKE_SHIFTED_ONE
+ANSWERS(one_on, covers(in, in.x + 1, in.y + 1), ONE_PIXEL)
+ANSWERS(one_right, covers(in, in.x + 1, in.y), ONE_PIXEL)
+ANSWERS(one_down, covers(in, in.x, in.y + 1), ONE_PIXEL)
+
 // With other distances from the centre, in other relations to the radius.
 static int is_within(OverlapJob in, double distance, double radius)
 {
@@ -75,47 +80,98 @@ static float float_root(OverlapJob in)
 
 ANSWERS(square, is_within(in, fmax(to_x(in), to_y(in)), in.circle.radius),
         "the pixel is in the circle's bounding square but not in the circle")
+ANSWERS(open_square, fmax(to_x(in), to_y(in)) < in.circle.radius && in.circle.depth < in.minDepth,
+        "the pixel is in the circle's bounding square but not in the circle")
 ANSWERS(diamond, is_within(in, to_x(in) + to_y(in), in.circle.radius),
         "your answers are those of |dx| + |dy|, and the distance² is dx² + dy²")
-ANSWERS(by_radius, is_within(in, squared(to_x(in)) + squared(to_y(in)), in.circle.radius),
-        "your answers are those of distance² <= radius, without its square")
-ANSWERS(by_half,
-        is_within(in, squared(to_x(in)) + squared(to_y(in)), squared(in.circle.radius) / 4),
-        "your answers are those of half the radius")
 ANSWERS(by_root, is_within(in, float_root(in), in.circle.radius),
         "your answers are those of a root, which is rounded: compare the squares")
-ANSWERS(by_two_radii, is_within(in, squared(to_x(in)) + squared(to_y(in)), 2.0 * in.circle.radius),
-        "your answers are those of 2 * radius: its square is radius * radius")
-ANSWERS(by_difference,
-        is_within(in, squared(to_x(in)) - squared(to_y(in)), squared(in.circle.radius)),
-        "your answers are those of dx² - dy²: the squares are added")
-ANSWERS(by_product,
-        is_within(in, ((double)in.x - in.circle.x) * ((double)in.y - in.circle.y),
-                  squared(in.circle.radius)),
-        "your answers are those of dx * dy: the distance² is dx² + dy²")
-ANSWERS(by_sums,
-        is_within(in, squared((double)in.x + in.circle.x) + squared((double)in.y + in.circle.y),
-                  squared(in.circle.radius)),
-        "your answers are those of pixel plus centre: dx and dy are differences")
-ANSWERS(by_other_axis,
-        is_within(in, squared((double)in.x - in.circle.y) + squared((double)in.y - in.circle.x),
-                  squared(in.circle.radius)),
-        "x was compared with the centre's y, and y with its x")
+
+// With another distance² or radius². Where the student's rounding decides, either answer fits.
+static int is_of(OverlapJob in, int found, double distance2, double radius2)
+{
+    const int is_nearer = in.circle.depth < in.minDepth;
+    return found == (distance2 <= radius2 && is_nearer) ||
+           (is_nearer && fabs(distance2 - radius2) <= 1e-6 * radius2);
+}
+
+#define COMPARES(name, distance2, radius2, ...)                                                    \
+    EACH(name, is_of(in, found, distance2, radius2), __VA_ARGS__)
+#define RADIUS ((double)in.circle.radius)
+#define DISTANCE2(name, expression, ...) COMPARES(name, expression, squared(RADIUS), __VA_ARGS__)
+#define DIFFERENCES(name, dx, dy, ...) DISTANCE2(name, squared(dx) + squared(dy), __VA_ARGS__)
+#define SQUARE (squared(to_x(in)) + squared(to_y(in)))
+#define DX ((double)in.x - in.circle.x)
+#define DY ((double)in.y - in.circle.y)
+#define SUM_X ((double)in.x + in.circle.x)
+#define SUM_Y ((double)in.y + in.circle.y)
+#define X_TO_Y ((double)in.x - in.circle.y)
+#define Y_TO_X ((double)in.y - in.circle.x)
+
+COMPARES(radius_unsquared, SQUARE, RADIUS,
+         "your answers are those of distance² <= radius, without its square")
+COMPARES(distance_rooted, sqrt(SQUARE), squared(RADIUS),
+         "your answers are those of distance <= radius²: compare the squares of both")
+COMPARES(half_radius, SQUARE, squared(RADIUS / 2), "your answers are those of half the radius")
+COMPARES(twice_radius, SQUARE, squared(2 * RADIUS), "your answers are those of twice the radius")
+COMPARES(two_radii, SQUARE, 2 * RADIUS,
+         "your answers are those of 2 * radius: its square is radius * radius")
+EACH(whole_radius, RADIUS > 32767 || is_of(in, found, SQUARE, squared(trunc(RADIUS))),
+     "your answers are those of a radius that was made a whole number")
+
+#define SUBTRACTED "your answers are those of dx² - dy²: the squares are added"
+#define MIXED_AXES "x and y are mixed up in a difference: dx takes both x, and dy takes both y"
+#define ADDED "your answers are those of pixel plus centre: dx and dy are differences"
+#define ONE_AXIS "your answers are those of one axis alone: the distance² is dx² + dy²"
+#define MIXED_SQUARE "dx * dy is in the place of a square: the distance² is dx² + dy²"
+#define NO_SQUARE "a difference was added without its square: the distance² is dx² + dy²"
+DISTANCE2(y_subtracted, squared(DX) - squared(DY), SUBTRACTED)
+DISTANCE2(x_subtracted, squared(DY) - squared(DX), SUBTRACTED)
+DIFFERENCES(swapped_axes, X_TO_Y, Y_TO_X, "x was compared with the centre's y, and y with its x")
+DIFFERENCES(y_to_x, DX, Y_TO_X, MIXED_AXES)
+DIFFERENCES(x_to_y, X_TO_Y, DY, MIXED_AXES)
+DIFFERENCES(y_for_x, Y_TO_X, DY, MIXED_AXES)
+DIFFERENCES(x_for_y, DX, X_TO_Y, MIXED_AXES)
+DIFFERENCES(x_twice, DX, DX, "your answers are those of dx² + dx²: y has no part in them")
+DIFFERENCES(y_twice, DY, DY, "your answers are those of dy² + dy²: x has no part in them")
+DIFFERENCES(x_alone, DX, 0, ONE_AXIS)
+DIFFERENCES(y_alone, 0, DY, ONE_AXIS)
+DIFFERENCES(sums, SUM_X, SUM_Y, ADDED)
+DIFFERENCES(sum_of_x, SUM_X, DY, ADDED)
+DIFFERENCES(sum_of_y, DX, SUM_Y, ADDED)
+DISTANCE2(product, DX *DY, "your answers are those of dx * dy: the distance² is dx² + dy²")
+DISTANCE2(product_for_x, (DX + DY) * DY, MIXED_SQUARE)
+DISTANCE2(product_for_y, DX *(DX + DY), MIXED_SQUARE)
+DISTANCE2(x_not_squared, DX + squared(DY), NO_SQUARE)
+DISTANCE2(y_not_squared, squared(DX) + DY, NO_SQUARE)
+DISTANCE2(none_squared, DX + DY, NO_SQUARE)
+COMPARES(nothing_squared, DX + DY, RADIUS, NO_SQUARE)
+DISTANCE2(square_of_sum, squared(DX + DY),
+          "your answers are those of (dx + dy)²: each has its square")
+#define KNOWN_SQUARES                                                                              \
+    &radius_unsquared, &distance_rooted, &half_radius, &twice_radius, &two_radii, &whole_radius,   \
+        &y_subtracted, &x_subtracted, &swapped_axes, &y_to_x, &x_to_y, &y_for_x, &x_for_y,         \
+        &x_twice, &y_twice, &x_alone, &y_alone, &sums, &sum_of_x, &sum_of_y, &product,             \
+        &product_for_x, &product_for_y, &x_not_squared, &y_not_squared, &none_squared,             \
+        &nothing_squared, &square_of_sum
+
 #define COVERS oracle2d_covers(in.circle, in.x, in.y)
 #define NEARER (in.circle.depth < in.minDepth)
+ANSWERS(one_side, DX <= RADIUS && DY <= RADIUS && NEARER,
+        "your answers are those of dx and dy with their signs: a pixel may be on either side")
+ANSWERS(just_boundary, outside_by_01(in) == 0 && NEARER,
+        "your answers are those of the boundary alone: what is inside is covered, too")
 #define TURNED "your answers are those of a circle that covers what is outside of it"
 ANSWERS(outside, outside_by_01(in) >= 0 && NEARER, TURNED)
 ANSWERS(just_outside, outside_by_01(in) > 0 && NEARER, TURNED)
 ANSWERS(either, COVERS || NEARER,
         "your answers are those of || between the two tests: both have to hold")
+ANSWERS(by_depth, NEARER, "the distance was not asked for: the circle has to cover the pixel, too")
 ANSWERS(contrary, !(COVERS && NEARER), "1 and 0 are swapped")
 // What does not fit into an int becomes any number.
-#define SQUARE (squared(to_x(in)) + squared(to_y(in)))
 EACH(cut_square,
      SQUARE >= 0x1p31 || IS_FOUND(is_within(in, trunc(SQUARE), squared(in.circle.radius))),
      "your answers are those of a distance² that was cut to a whole number")
-ANSWERS(by_x, is_within(in, 2 * squared(to_x(in)), squared(in.circle.radius)),
-        "your answers are those of dx² + dx²: y has no part in them")
 
 // With other depths.
 static int covers_with_depths(OverlapJob in, float depth, float min_depth)
@@ -129,8 +185,18 @@ ANSWERS(below_1, in.circle.depth < 1 && overlaps(in),
         "your answers are those of a largest depth of 1: there is none")
 ANSWERS(before_eye, in.circle.depth >= 0 && overlaps(in),
         "circles of negative depth were refused: a depth may be any number")
-ANSWERS(farther, covers_with_depths(in, in.minDepth, in.circle.depth),
-        "the farther circle took the pixel: the smaller depth is the nearer")
+ANSWERS(behind_eye, in.circle.depth > 0 && overlaps(in),
+        "circles of depth 0 or less were refused: a depth may be any number")
+ANSWERS(depth_to_radius, COVERS &&in.circle.depth < in.circle.radius,
+        "the circle's depth was compared with its radius, not with minDepth")
+#define FARTHER "the farther circle took the pixel: the smaller depth is the nearer"
+ANSWERS(not_nearer_alone, COVERS && !NEARER, FARTHER)
+// What does not fit into an int becomes any number.
+EACH(whole_depths,
+     in.minDepth >= 0x1p31f || fabsf(in.circle.depth) >= 0x1p31f || fabsf(in.minDepth) >= 0x1p31f ||
+         IS_FOUND(covers_with_depths(in, truncf(in.circle.depth), truncf(in.minDepth))),
+     "depths were made whole numbers: a depth may be any number")
+ANSWERS(farther, covers_with_depths(in, in.minDepth, in.circle.depth), FARTHER)
 
 // Wrong only where depths, or distance and radius, are equal or a little apart.
 ONLY(not_1, overlaps(in) && found,
@@ -181,13 +247,27 @@ ONLY(whole_differences,
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {
-    &from_middle,   &from_corner,       &from_right, &from_left,     &from_below,     &from_above,
-    &square,        &diamond,           &by_radius,  &by_half,       &by_root,        &by_two_radii,
-    &by_difference, &by_product,        &by_sums,    &by_other_axis, &outside,        &just_outside,
-    &either,        &contrary,          &cut_square, &by_x,          &by_amount,      &below_1,
-    &before_eye,    &farther,           &not_1,      &equal_depth,   &little_farther, &not_nearer,
-    &little_nearer, &no_radius,         &boundary,   &rounded_root,  &little_outside, &near_outside,
-    &whole_centre,  &whole_differences,
+    &from_middle,     &from_corner,
+    &from_right,      &from_left,
+    &from_below,      &from_above,
+    &one_on,          &one_right,
+    &one_down,        &square,
+    &open_square,     &diamond,
+    &by_root,         KNOWN_SQUARES,
+    &one_side,        &just_boundary,
+    &outside,         &just_outside,
+    &either,          &by_depth,
+    &contrary,        &cut_square,
+    &by_amount,       &below_1,
+    &before_eye,      &behind_eye,
+    &depth_to_radius, &not_nearer_alone,
+    &whole_depths,    &farther,
+    &not_1,           &equal_depth,
+    &little_farther,  &not_nearer,
+    &little_nearer,   &no_radius,
+    &boundary,        &rounded_root,
+    &little_outside,  &near_outside,
+    &whole_centre,    &whole_differences,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

@@ -42,7 +42,8 @@ ANSWERS(level_and_rest, LOW && (FEW || HOPELESS), BOTH_NEEDED)
 ANSWERS(count_and_rest, FEW && (LOW || HOPELESS), BOTH_NEEDED)
 ANSWERS(failed_and_rest, HOPELESS && (LOW || FEW), BOTH_NEEDED)
 ANSWERS(all_three, LOW &&FEW &&HOPELESS, "one of the three reasons is enough, not only all")
-#define BEYOND "a limit itself counts, and so does everything beyond it"
+#define BEYOND                                                                                     \
+    "your answers are those of == with a limit: it counts, and so does everything beyond it"
 ANSWERS(just_level, in.level == in.maxDepth || FEW || HOPELESS, BEYOND)
 ANSWERS(just_count, LOW || in.n_circles == (u32)in.targetElementsPerNode || HOPELESS, BEYOND)
 ANSWERS(just_failed, LOW || FEW || in.n_failed == MAX_FAILED_SPLITS, BEYOND)
@@ -56,10 +57,28 @@ ANSWERS(failed_below, LOW || FEW || !HOPELESS, TURNED)
 ANSWERS(contrary, !LEAF_02, "1 and 0 are swapped: 1 is a leaf")
 ANSWERS(one_failed_more, LOW || FEW || in.n_failed > MAX_FAILED_SPLITS,
         "your answers are those of n_failed > MAX_FAILED_SPLITS: exactly that many are enough")
-ANSWERS(without_failed, LOW || FEW, "failed splits were not asked for")
+ANSWERS(without_failed, LOW || FEW,
+        "failed splits never make a leaf there: MAX_FAILED_SPLITS of them do")
 ANSWERS(limits_swapped,
         in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || HOPELESS,
         "the two limits are in each other's places")
+#define OTHER_LIMIT "one of the three numbers was compared with what is the limit of another"
+#define LEAF_WHERE(name, low, few, hopeless, ...)                                                  \
+    ANSWERS(name, (low) || (few) || (hopeless), __VA_ARGS__)
+#define N_CIRCLES (int64_t)in.n_circles
+LEAF_WHERE(level_to_target, in.level >= in.targetElementsPerNode, FEW, HOPELESS, OTHER_LIMIT)
+LEAF_WHERE(level_to_failed, in.level >= MAX_FAILED_SPLITS, FEW, HOPELESS, OTHER_LIMIT)
+LEAF_WHERE(count_to_depth, LOW, N_CIRCLES <= in.maxDepth, HOPELESS, OTHER_LIMIT)
+LEAF_WHERE(count_to_failed, LOW, N_CIRCLES <= MAX_FAILED_SPLITS, HOPELESS, OTHER_LIMIT)
+LEAF_WHERE(count_to_level, LOW, N_CIRCLES <= in.level, HOPELESS, OTHER_LIMIT)
+LEAF_WHERE(failed_to_target, LOW, FEW, FAILED(in.targetElementsPerNode), OTHER_LIMIT)
+LEAF_WHERE(failed_to_level, LOW, FEW, FAILED(in.level), OTHER_LIMIT)
+LEAF_WHERE(one_circle_more, LOW, N_CIRCLES <= 1LL + in.targetElementsPerNode, HOPELESS,
+           "one circle more than targetElementsPerNode is not few enough")
+#define KNOWN_OTHER_LIMITS                                                                         \
+    &level_to_target, &level_to_failed, &count_to_depth, &count_to_failed, &count_to_level,        \
+        &failed_to_target, &failed_to_level, &one_circle_more
+
 #define TARGET_IGNORED                                                                             \
     "your answers are those of a number of your own: targetElementsPerNode says what is few"
 ANSWERS(none_left, LOW || in.n_circles == 0 || HOPELESS, TARGET_IGNORED)
@@ -98,7 +117,7 @@ static const Known *const known_of_leaf[] = {
     &one_failed_more,     &without_failed,   &none_left,       &one_left,
     &failed_added_beyond, &one_failed,       &two_failed,      &three_failed,
     &failed_added,        &limits_16_8,      &limits_4_1,      &level_in_8_bits,
-    &count_in_8_bits,     &count_in_16_bits, &signed_count,
+    &count_in_8_bits,     &count_in_16_bits, &signed_count,    KNOWN_OTHER_LIMITS,
 };
 
 static char *describe_leaf(const void *job, int i, const void *answers)
@@ -141,6 +160,11 @@ static int is_part(BBox2D found, BBox2D in, Side side, int is_upper, float borde
            found.maxY == in.maxY;
 }
 
+static int is_split_at(const BBox2D found[2], BBox2D in, Side side, float border)
+{
+    return is_part(found[0], in, side, 0, border) && is_part(found[1], in, side, 1, border);
+}
+
 #define GIVEN                                                                                      \
     const BBox2D in = ((const Job02 *)job)->splits[i];                                             \
     const BBox2D *found = (const BBox2D *)answers + 2 * i;                                         \
@@ -161,8 +185,17 @@ RIGHT(is_longer, IS_FOUND(WIDTH >= HEIGHT))
 #define SHORTER "the shorter side was split"
 #define NOT_EQUAL "the sides are not equal, if nearly: the longer one is split"
 
+#define WRONG_SIDE "a side was computed wrongly: it is its own maximum minus its own minimum"
+ANSWERS(sum_of_x, (double)in.maxX + in.minX >= HEIGHT, WRONG_SIDE)
+ANSWERS(sum_of_y, WIDTH >= (double)in.maxY + in.minY, WRONG_SIDE)
+ANSWERS(sums, (double)in.maxX + in.minX >= (double)in.maxY + in.minY, WRONG_SIDE)
+ANSWERS(x_is_max, in.maxX >= HEIGHT, WRONG_SIDE)
+ANSWERS(y_is_max, WIDTH >= in.maxY, WRONG_SIDE)
+// So are a width that begins at minY, and a height that begins at minX, or ends at the other's end.
 ANSWERS(by_corners, in.maxX >= in.maxY,
-        "maxX and maxY were compared: the lengths of the sides count")
+        "your answers are those of maxX against maxY: the lengths of the sides count")
+ANSWERS(by_low_corners, in.minX <= in.minY,
+        "your answers are those of minX against minY: the lengths of the sides count")
 ANSWERS(always_x, 1, SHORTER)
 ANSWERS(always_y, 0, SHORTER)
 ANSWERS(whole_numbers, (int)WIDTH >= (int)HEIGHT, NOT_EQUAL)
@@ -172,46 +205,72 @@ ONLY(equal, side != SIDE_NONE && WIDTH == HEIGHT, "where both sides are equal, x
 ONLY(nearly_equal, side != SIDE_NONE && NEARLY_EQUAL, NOT_EQUAL)
 ONLY(some_shorter, side != SIDE_NONE && WIDTH != HEIGHT && !NEARLY_EQUAL, SHORTER)
 
-static const Known *const known_of_longer[] = {&by_corners,    &always_x,     &always_y,
-                                               &whole_numbers, &shorter,      &none_split,
-                                               &equal,         &nearly_equal, &some_shorter};
+static const Known *const known_of_longer[] = {
+    &by_corners, &by_low_corners, &sum_of_x, &sum_of_y,     &sums,
+    &x_is_max,   &y_is_max,       &always_x, &always_y,     &whole_numbers,
+    &shorter,    &none_split,     &equal,    &nearly_equal, &some_shorter};
 
-// Where: along the side that the student has split, be it the right one or not.
-#define OWN_SIDE (side != SIDE_NONE ? side : WIDTH >= HEIGHT ? SIDE_X : SIDE_Y)
+// Where: along the side that the student has split, be it the right one or not. Across a side of no
+// length nothing is seen of a split.
+#define OWN_SIDE                                                                                   \
+    (side != SIDE_NONE ? side                                                                      \
+     : WIDTH == 0      ? SIDE_X                                                                    \
+     : HEIGHT == 0     ? SIDE_Y                                                                    \
+     : WIDTH >= HEIGHT ? SIDE_X                                                                    \
+                       : SIDE_Y)
 #define LOW_END (OWN_SIDE == SIDE_X ? in.minX : in.minY)
 #define HIGH_END (OWN_SIDE == SIDE_X ? in.maxX : in.maxY)
 #define MIDDLE (float)(((double)LOW_END + HIGH_END) / 2)
 #define IS_LOWER(half, border) is_part(found[half], in, OWN_SIDE, 0, border)
 #define IS_UPPER(half, border) is_part(found[half], in, OWN_SIDE, 1, border)
 #undef IS_FOUND
-#define IS_FOUND(border) (IS_LOWER(0, border) && IS_UPPER(1, border))
+#define IS_FOUND(border) is_split_at(found, in, OWN_SIDE, border)
 
 RIGHT(is_middle, IS_FOUND(MIDDLE))
 
-ANSWERS(half_the_width, (HIGH_END - LOW_END) / 2,
-        "that is half the width: the cell does not begin at 0")
-ANSWERS(half_of_max, HIGH_END / 2, "that is half of the upper border: the cell does not begin at 0")
-ANSWERS(behind_max, HIGH_END + (HIGH_END - LOW_END) / 2,
-        "half the length was added to the upper border, not to the lower one")
-ANSWERS(middle_added, LOW_END + MIDDLE, "the middle was added to the lower border once more")
-#define OTHER_MIDDLE "that is the middle of the other side's borders"
-ANSWERS(middle_of_x, (float)(((double)in.minX + in.maxX) / 2), OTHER_MIDDLE)
-ANSWERS(middle_of_y, (float)(((double)in.minY + in.maxY) / 2), OTHER_MIDDLE)
-#define OTHER_LOW "the middle was counted from the lower border of the other side"
-ANSWERS(y_from_min_x, OWN_SIDE == SIDE_Y ? in.minX + (HIGH_END - LOW_END) / 2 : MIDDLE, OTHER_LOW)
-ANSWERS(x_from_min_y, OWN_SIDE == SIDE_X ? in.minY + (HIGH_END - LOW_END) / 2 : MIDDLE, OTHER_LOW)
+// Wrong on both sides, or on one of them.
+#define BORDER(name, border, ...)                                                                  \
+    ANSWERS(name, border, __VA_ARGS__)                                                             \
+    ANSWERS(name##_of_x, OWN_SIDE == SIDE_X ? (border) : MIDDLE, __VA_ARGS__)                      \
+    ANSWERS(name##_of_y, OWN_SIDE == SIDE_Y ? (border) : MIDDLE, __VA_ARGS__)
+#define BORDERS(name) &name, &name##_of_x, &name##_of_y
+#define LENGTH (HIGH_END - LOW_END)
+#define OTHER_LOW (OWN_SIDE == SIDE_X ? in.minY : in.minX)
+#define OTHER_HIGH (OWN_SIDE == SIDE_X ? in.maxY : in.maxX)
+
+BORDER(half_the_length, LENGTH / 2, "that is half of a length: the cell does not begin at 0")
+BORDER(half_of_max, HIGH_END / 2, "that is half of the upper border: the cell does not begin at 0")
+BORDER(behind_max, HIGH_END + LENGTH / 2,
+       "half the length was added to the upper border, not to the lower one")
+BORDER(before_min, LOW_END - LENGTH / 2,
+       "half the length was taken off the lower border: it is to be added")
+BORDER(middle_added, LOW_END + MIDDLE, "the middle was added to the lower border once more")
+BORDER(not_halved, HIGH_END, "the whole length was added to the lower border, not half of it")
+BORDER(sum_not_halved, LOW_END + HIGH_END, "the sum of the borders was not halved")
+BORDER(doubled, LOW_END + LENGTH * 2, "the length was doubled, not halved")
+BORDER(other_middle, (float)(((double)OTHER_LOW + OTHER_HIGH) / 2),
+       "that is the middle of the other side's borders")
+BORDER(from_other_low, OTHER_LOW + LENGTH / 2,
+       "the middle was counted from the lower border of the other side")
+#define OTHER_LENGTH "half the length of the other side was added"
+BORDER(other_length, LOW_END + (OTHER_HIGH - OTHER_LOW) / 2, OTHER_LENGTH)
+#define MIXED_LENGTH "a length was computed wrongly: it is a maximum minus the minimum of that side"
+BORDER(length_from_other_low, LOW_END + (HIGH_END - OTHER_LOW) / 2, MIXED_LENGTH)
+BORDER(length_to_other_high, LOW_END + (OTHER_HIGH - LOW_END) / 2, MIXED_LENGTH)
 #define WHOLE_LENGTH "the length of a side was made a whole number"
-ANSWERS(whole_length, LOW_END + truncf(HIGH_END - LOW_END) / 2, WHOLE_LENGTH)
-ANSWERS(whole_half, LOW_END + truncf((HIGH_END - LOW_END) / 2), WHOLE_LENGTH)
-#define HALF_OF(half_side) (OWN_SIDE == (half_side) ? (HIGH_END - LOW_END) / 2 : MIDDLE)
-#define HALF_OF_ONE "that is half the length of one of the two sides: the cell does not begin at 0"
-ANSWERS(half_of_x, HALF_OF(SIDE_X), HALF_OF_ONE)
-ANSWERS(half_of_y, HALF_OF(SIDE_Y), HALF_OF_ONE)
-ANSWERS(cut_to_whole, truncf(MIDDLE), "the middle was made a whole number")
-ANSWERS(rounded_down, floorf(MIDDLE), "the middle was made a whole number")
+BORDER(whole_length, LOW_END + truncf(LENGTH) / 2, WHOLE_LENGTH)
+BORDER(whole_half, LOW_END + truncf(LENGTH / 2), WHOLE_LENGTH)
+#define WHOLE_MIDDLE "the middle was made a whole number"
+BORDER(cut_to_whole, truncf(MIDDLE), WHOLE_MIDDLE)
+BORDER(rounded_down, floorf(MIDDLE), WHOLE_MIDDLE)
 EACH(border_moved, IS_LOWER(0, MIDDLE) && IS_UPPER(1, (LOW_END + MIDDLE) / 2),
      "the second border was computed from the first after that had moved")
 ONLY(swapped, IS_LOWER(1, MIDDLE) && IS_UPPER(0, MIDDLE), "left and right are swapped")
+#define NO_LENGTH(half)                                                                            \
+    (OWN_SIDE == SIDE_X ? found[half].minX == found[half].maxX                                     \
+                        : found[half].minY == found[half].maxY)
+ONLY(both_moved, NO_LENGTH(0) || NO_LENGTH(1),
+     "both borders of a half are the same: of each half the split moves one")
 ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
      "one half is right and the other is not: both have the border in the middle")
 
@@ -219,10 +278,28 @@ ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
 ONLY(elsewhere, side != SIDE_NONE && IS_FOUND(OWN_BORDER),
      "both halves have the same border, and it is not in the middle")
 
-static const Known *const known_of_middle[] = {
-    &y_from_min_x, &x_from_min_y, &half_of_max,  &behind_max,     &middle_added, &middle_of_x,
-    &middle_of_y,  &whole_length, &whole_half,   &half_the_width, &half_of_x,    &half_of_y,
-    &cut_to_whole, &rounded_down, &border_moved, &swapped,        &one_right,    &elsewhere};
+static const Known *const known_of_middle[] = {BORDERS(half_the_length),
+                                               BORDERS(half_of_max),
+                                               BORDERS(behind_max),
+                                               BORDERS(before_min),
+                                               BORDERS(middle_added),
+                                               BORDERS(not_halved),
+                                               BORDERS(sum_not_halved),
+                                               BORDERS(doubled),
+                                               BORDERS(other_middle),
+                                               BORDERS(from_other_low),
+                                               BORDERS(other_length),
+                                               BORDERS(length_from_other_low),
+                                               BORDERS(length_to_other_high),
+                                               BORDERS(whole_length),
+                                               BORDERS(whole_half),
+                                               BORDERS(cut_to_whole),
+                                               BORDERS(rounded_down),
+                                               &border_moved,
+                                               &swapped,
+                                               &both_moved,
+                                               &one_right,
+                                               &elsewhere};
 
 // Facts: with what is expected on the left, across the right side or across the student's.
 static char *describe_split(BBox2D box, const BBox2D found[2], BBox2D left)

@@ -198,6 +198,9 @@ static int is_reordered(Kept kept, u32 n_found)
     return kept.n > 1 && n_found == kept.n && kept.n_listed == kept.n;
 }
 
+LIST(none_written, in.n_ids, 0, n, ID, n, "no list ever gets an id")
+LIST(counted_only, in.n_ids, KEPT(ID), n, UNTOUCHED, n + 1,
+     "the ids are counted, and not written into child_ids")
 ONLY(empty_asked, in.n_ids == 0 && N_FOUND > 0,
      "nothing is asked of an empty list, not even ids[0]")
 ONLY(end_marked, found[1 + in.n_ids] != UNTOUCHED,
@@ -213,11 +216,12 @@ ONLY(ends_early, N_FOUND > 0 && N_FOUND < KEPT_OF.n && KEPT_OF.n_in_place == N_F
 ONLY(lost, IS_LOST(KEPT_OF), NULL, MISTAKE_MISSING_IN_CELL)
 
 static const Known *const known_lists[] = {
-    &from_the_back, &asks_position, &lists_position,  &counted_on,   &all_between,
-    &with_gaps,     &by_centre,     &count_of_8_bits, &contrary,     &only_positions,
-    &gaps_counted,  &everyone,      &without_first,   &without_last, &from_position_1,
-    &all_at_0,      &ends_at_other, &count_first,     &empty_asked,  &end_marked,
-    &reordered,     &equal_missing, &miscounted,      &ends_early,   &lost,
+    &from_the_back, &asks_position, &lists_position,  &counted_on,    &all_between,
+    &with_gaps,     &by_centre,     &count_of_8_bits, &contrary,      &only_positions,
+    &gaps_counted,  &everyone,      &without_first,   &without_last,  &from_position_1,
+    &all_at_0,      &none_written,  &counted_only,    &ends_at_other, &count_first,
+    &empty_asked,   &end_marked,    &reordered,       &equal_missing, &miscounted,
+    &ends_early,    &lost,
 };
 
 static char *describe_list(const void *job, int i, const void *answers)
@@ -275,8 +279,10 @@ EACH(at_end, offset == in->n_before + 1 + in->n_ids,
 
 EACH(at_id, offset == in->id, "that is the node's id")
 EACH(unset, offset == 0, "circleMapOffset was not set, or always to 0")
+ONLY(no_list_no_offset, in->n_ids == 0, "an empty leaf has a list, too, and an offset")
 
-static const Known *const known_offsets[] = {&at_first_id, &at_end, &at_id, &unset};
+static const Known *const known_offsets[] = {&no_list_no_offset, &at_first_id, &at_end, &at_id,
+                                             &unset};
 
 static char *describe_offset(const void *job, int i, const void *answers)
 {
@@ -396,7 +402,7 @@ static int is_one_early(const PackJob *in, const u32 *list)
     while (j < in->n_ids && list[j - 1] == in->ids[j]) {
         j++;
     }
-    return j >= in->n_ids && list[in->n_ids - (in->n_ids > 0)] == UNTOUCHED;
+    return j >= in->n_ids;
 }
 
 #define END (in->n_before + 1 + in->n_ids)
@@ -404,9 +410,12 @@ static int is_one_early(const PackJob *in, const u32 *list)
 #define OWN found->relations[in->id]
 
 ONLY(unmarked, found->flags[in->id] != LEAF, "pack_leaf marks the leaf")
+ONLY(unlisted, in->n_ids > 0 && list[0] == UNTOUCHED && found->n_map <= END,
+     "the ids of the leaf come behind the count, and are not there")
 ONLY(one_early, in->n_ids > 0 && is_one_early(in, list),
      "the ids stand one position too early: ids[0] comes right behind the count")
 ONLY(count_left_out, found->n_map == END - 1, "the count is an entry, too")
+ONLY(map_by_one, found->n_map == in->n_before + 1, "n_map moves by the ids, too, not by 1 alone")
 ONLY(map_of_copy, found->n_map == in->n_before,
      "n_map has to move, in the tree that was handed over and not in a copy")
 ONLY(one_entry_more, found->n_map == END && found->map[END] != UNTOUCHED,
@@ -415,9 +424,9 @@ ONLY(leaf_changed, OWN.id != in->id || OWN.lChild != 0 || OWN.rChild != 0,
      "of the leaf's NodeRel only circleMapOffset changes")
 ONLY(other_changed, is_other_changed(in, found), "that is another node, and stays as it is")
 
-static const Known *const known_rest[] = {PACKED_KNOWN,    &unmarked,     &one_early,
-                                          &count_left_out, &map_of_copy,  &one_entry_more,
-                                          &leaf_changed,   &other_changed};
+static const Known *const known_rest[] = {
+    PACKED_KNOWN, &unmarked,    &one_early,      &unlisted,     &count_left_out,
+    &map_by_one,  &map_of_copy, &one_entry_more, &leaf_changed, &other_changed};
 
 const Function pack_count_02 = {"pack", N_PACKS, sizeof(PackAnswer),
                                 KNOWING(is_right_count, describe_count, known_counts),

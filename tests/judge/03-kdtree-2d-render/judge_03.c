@@ -48,6 +48,19 @@ static float nearest(float value)
 #define IN_X (in.x >= left.minX && in.x < left.maxX)
 #define IN_Y (in.y >= left.minY && in.y < left.maxY)
 
+#define IS_BELOW(max_x, max_y) (IN_MIN && in.x < (max_x) && in.y < (max_y))
+// Other numbers in one of the comparisons with maxX and maxY, or in that with minX or minY, too.
+#define COMPARED(name, x_, X, y_, Y)                                                               \
+    ANSWERS(name,                                                                                  \
+            in.x_ >= left.min##X && in.x_ < left.max##X && in.y_ >= left.min##Y &&                 \
+                in.y_ < left.max##Y,                                                               \
+            OTHER_AXIS)                                                                            \
+    ANSWERS(name##_below, IN_MIN &&in.x_ < left.max##X && in.y_ < left.max##Y, OTHER_AXIS)         \
+    ANSWERS(name##_above, in.x_ >= left.min##X && in.y_ >= left.min##Y && IN_MAX, OTHER_AXIS)
+#define COMPARISONS(name) &name, &name##_below, &name##_above
+#define IN_MIN (in.x >= left.minX && in.y >= left.minY)
+#define IN_MAX IS_BELOW(left.maxX, left.maxY)
+
 ANSWERS(inner, HELD(in.x, in.y) && in.x != left.minX && in.y != left.minY, STRICT)
 ANSWERS(inner_x, HELD(in.x, in.y) && in.x != left.minX, STRICT)
 ANSWERS(inner_y, HELD(in.x, in.y) && in.y != left.minY, STRICT)
@@ -55,7 +68,12 @@ ANSWERS(border, in.x >= left.minX && in.x <= left.maxX && in.y >= left.minY && i
         "cells are half-open: a border belongs to the cell that starts there")
 ANSWERS(middle, HELD(in.x + 0.5, in.y + 0.5), SHIFTED)
 ANSWERS(corner, HELD(in.x - 0.5, in.y - 0.5), SHIFTED)
+ANSWERS(middle_x, HELD(in.x + 0.5, in.y), SHIFTED)
+ANSWERS(middle_y, HELD(in.x, in.y + 0.5), SHIFTED)
 ANSWERS(cut_borders, cell_holds(rounded(left, truncf), in.x, in.y), WHOLE_BORDER)
+ANSWERS(cut_max_x, IS_BELOW(truncf(left.maxX), left.maxY), WHOLE_BORDER)
+ANSWERS(cut_max_y, IS_BELOW(left.maxX, truncf(left.maxY)), WHOLE_BORDER)
+ANSWERS(cut_max, IS_BELOW(truncf(left.maxX), truncf(left.maxY)), WHOLE_BORDER)
 ANSWERS(rounded_borders, cell_holds(rounded(left, nearest), in.x, in.y), WHOLE_BORDER)
 ANSWERS(no_sign, left.minX >= 0 && left.minY >= 0 && HELD(in.x, in.y),
         "your answers are those of numbers without a sign: a cell may begin at negative "
@@ -66,11 +84,21 @@ ANSWERS(by_middle,
         cell.maxX - cell.minX >= cell.maxY - cell.minY ? in.x < ((double)cell.minX + cell.maxX) / 2
                                                        : in.y < ((double)cell.minY + cell.maxY) / 2,
         IN_MIDDLE)
+#define TURNED                                                                                     \
+    "your answers are those of a comparison the wrong way round, or with the wrong border: the "   \
+    "left child's cell is from minX to maxX, and from minY to maxY"
 ANSWERS(x_alone, IN_X, ONE_AXIS)
 ANSWERS(y_alone, IN_Y, ONE_AXIS)
-ANSWERS(copied_x, IN_X &&in.y >= left.minY && in.y < left.maxX, OTHER_AXIS)
-ANSWERS(copied_y, in.x >= left.minX && in.x < left.maxY && IN_Y, OTHER_AXIS)
-ANSWERS(swapped_axes, HELD(in.y, in.x), OTHER_AXIS)
+COMPARED(y_to_x, x, X, y, X)
+COMPARED(x_to_y, x, Y, y, Y)
+COMPARED(x_for_y, x, X, x, Y)
+COMPARED(y_for_x, y, X, y, Y)
+COMPARED(swapped_axes, y, X, x, Y)
+ANSWERS(by_min, in.x < left.minX && in.y < left.minY, TURNED)
+// At maxX, or maxY, itself either answer may be meant.
+EACH(above_max_x, in.x == left.maxX || IS_FOUND(IN_Y && in.x > left.maxX), TURNED)
+EACH(above_max_y, in.y == left.maxY || IS_FOUND(IN_X && in.y > left.maxY), TURNED)
+ANSWERS(always_right, 0, TURNED)
 ANSWERS(contrary, !HELD(in.x, in.y), "left and right are swapped")
 ANSWERS(always_left, 1,
         "the left child was chosen every time: its own cell has to hold the pixel, in both "
@@ -91,9 +119,39 @@ ONLY(near_border, TO_X < EPSILON || TO_Y < EPSILON,
      "your answers are those with an epsilon: none is needed")
 
 static const Known *const known[] = {
-    &inner,           &inner_x,  &inner_y,     &border,  &middle,   &corner,    &cut_borders,
-    &rounded_borders, &no_sign,  &by_middle,   &x_alone, &y_alone,  &copied_x,  &copied_y,
-    &swapped_axes,    &contrary, &always_left, &is_side, &no_child, &on_border, &near_border,
+    &inner,
+    &inner_x,
+    &inner_y,
+    &border,
+    &middle,
+    &corner,
+    &middle_x,
+    &middle_y,
+    &cut_borders,
+    &cut_max_x,
+    &cut_max_y,
+    &cut_max,
+    &rounded_borders,
+    &no_sign,
+    &by_middle,
+    &x_alone,
+    &y_alone,
+    COMPARISONS(y_to_x),
+    COMPARISONS(x_to_y),
+    COMPARISONS(x_for_y),
+    COMPARISONS(y_for_x),
+    COMPARISONS(swapped_axes),
+    &by_min,
+    &above_max_x,
+    &above_max_y,
+
+    &always_right,
+    &contrary,
+    &always_left,
+    &is_side,
+    &no_child,
+    &on_border,
+    &near_border,
 };
 
 // A half-open cell.

@@ -119,9 +119,17 @@ static int is_axis(Vec3 found, OracleVector axis, double error)
 
 EACH(at_for_way, ARE(TO_AT, CROSS(TO_AT, UNIT(AT)), UNIT(AT), 1),
      "forward is the way to `at` from the origin, not from the eye")
+#define SUM UNIT(vector_plus(AT, vector_of(in->from)))
+#define TO_SUM UNIT(CROSS(SUM, VIEW_UP))
+EACH(sum_for_way, ARE(TO_SUM, CROSS(TO_SUM, SUM), SUM, 8), "forward is `at` minus `from`, not plus")
 // A cross product with z loses digits where the view is nearly along it.
 EACH(z_for_up, ARE(TO_Z, CROSS(TO_Z, FORWARD), FORWARD, 64),
      "view.up is not asked: z was taken for it")
+#define TO_Y UNIT(CROSS(FORWARD, ((OracleVector){0, 1, 0})))
+EACH(y_for_up, ARE(TO_Y, CROSS(TO_Y, FORWARD), FORWARD, 64),
+     "view.up is not asked: y was taken for it")
+EACH(up_from_view_up, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), VIEW_UP), FORWARD, 1),
+     "up was computed from right and view.up: it comes from right and forward")
 EACH(unit_vectors, ARE(UNIT_PRODUCT, CROSS(UNIT_PRODUCT, FORWARD), FORWARD, 1),
      "of two unit vectors that are not at right angles the cross product is shorter than 1: right "
      "is to be made a unit vector")
@@ -131,6 +139,13 @@ EACH(right_alone_long, ARE(PRODUCT, UNIT(CROSS(PRODUCT, FORWARD)), FORWARD, 1),
      "right is not made a unit vector")
 EACH(right_late, ARE(UNIT(PRODUCT), CROSS(PRODUCT, FORWARD), FORWARD, 1),
      "right was made a unit vector only after up had come from it")
+// Forward is not made a unit vector: what comes from it is as long, or is made a unit vector.
+#define LONG_FORWARD "forward is not made a unit vector"
+#define LONG_PRODUCT CROSS(WAY, VIEW_UP)
+EACH(forward_long, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), WAY), WAY, 1), LONG_FORWARD)
+EACH(forward_alone_long, ARE(UNIT(PRODUCT), UNIT(CROSS(PRODUCT, FORWARD)), WAY, 1), LONG_FORWARD)
+EACH(none_unit, ARE(LONG_PRODUCT, CROSS(LONG_PRODUCT, WAY), WAY, 1),
+     "none of the three is made a unit vector")
 EACH(up_as_given, ARE(UNIT(PRODUCT), VIEW_UP, FORWARD, 1),
      "up is view.up, which need be neither a unit vector nor at right angles to forward")
 EACH(up_made_unit, ARE(UNIT(PRODUCT), UNIT(VIEW_UP), FORWARD, 1),
@@ -171,7 +186,8 @@ ONLY(right_to_left, IS_OPPOSITE(right, 0),
 ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cross product")
 
 #define KNOWN_OF_ALL                                                                               \
-    &at_for_way, &z_for_up, &unit_vectors, &long_right, &right_alone_long, &right_late,            \
+    &at_for_way, &sum_for_way, &z_for_up, &y_for_up, &up_from_view_up, &unit_vectors, &long_right, \
+        &right_alone_long, &right_late, &forward_long, &forward_alone_long, &none_unit,            \
         &up_as_given, &up_made_unit, &up_from_way, &steep, &out_of_range, &of_length
 static const Known *const known_of_lengths[] = {KNOWN_OF_ALL};
 static const Known *const known_of_forward[] = {KNOWN_OF_ALL, &backwards};

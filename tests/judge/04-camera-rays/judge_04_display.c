@@ -103,6 +103,8 @@ ANSWERS(one_right_down, POINT(X + 1, Y + 1),
 
 ANSWERS(whole_halves, POINT(X + OFF(in->width), Y + OFF(in->height)),
         "half of an odd width or height has lost its half: the division is one of whole numbers")
+ANSWERS(whole_half_width, POINT(X + OFF(in->width), Y),
+        "half of an odd width has lost its half: the division is one of whole numbers")
 ANSWERS(whole_half_height, POINT(X, Y + OFF(in->height)),
         "half of an odd height has lost its half: the division is one of whole numbers")
 ANSWERS(halves_rounded_up, POINT(X - OFF(in->width), Y - OFF(in->height)),
@@ -112,6 +114,38 @@ ANSWERS(whole_steps,
         POINT(in->width / 2.0 + trunc(X - in->width / 2.0),
               in->height / 2.0 - trunc(in->height / 2.0 - Y)),
         "steps from the middle are whole numbers there, but odd halves in pictures of even size")
+// Counted from another place than the middle, on one axis or on both.
+#define FROM(middle_x, middle_y)                                                                   \
+    POINT(X + in->width / 2.0 - (middle_x), Y + in->height / 2.0 - (middle_y))
+#define SIZES_SWAPPED                                                                              \
+    "the middle is counted with the other side's size: x with width, y with height"
+ANSWERS(x_with_height, FROM(in->height / 2.0, in->height / 2.0), SIZES_SWAPPED)
+ANSWERS(y_with_width, FROM(in->width / 2.0, in->width / 2.0), SIZES_SWAPPED)
+ANSWERS(sizes_swapped, FROM(in->height / 2.0, in->width / 2.0), SIZES_SWAPPED)
+#define FROM_BORDER                                                                                \
+    "the point is counted from the border: from the middle, half a size is taken off"
+ANSWERS(x_from_border, FROM(0, in->height / 2.0), FROM_BORDER)
+ANSWERS(y_from_border, FROM(in->width / 2.0, 0), FROM_BORDER)
+ANSWERS(both_from_border, FROM(0, 0), FROM_BORDER)
+#define NOT_HALVED "the whole size was taken off: the middle is half of it"
+ANSWERS(x_not_halved, FROM(in->width, in->height / 2.0), NOT_HALVED)
+ANSWERS(y_not_halved, FROM(in->width / 2.0, in->height), NOT_HALVED)
+ANSWERS(not_halved, FROM(in->width, in->height), NOT_HALVED)
+#define MIXED_AXES "the column and the row are mixed up: x comes from the column, y from the row"
+ANSWERS(row_twice, POINT(Y, Y), MIXED_AXES)
+ANSWERS(column_twice, POINT(X, X), MIXED_AXES)
+ANSWERS(one_step_less, SIZED(FOV / (in->width - 1)),
+        "the side of a pixel is fov by width: a picture has as many steps as pixels")
+ANSWERS(one_step_more, SIZED(FOV / (in->width + 1)),
+        "the side of a pixel is fov by width: a picture has as many steps as pixels")
+ANSWERS(half_fov, SIZED(SIZE / 2), "your display is half as wide as fov: fov is its whole width")
+ANSWERS(no_fov, SIZED(1.0 / in->width), "fov has no part in it: it is the display's width")
+ANSWERS(in_pixels, SIZED(1), "that is a number of pixels: the display is fov wide")
+#define KNOWN_PLACES                                                                               \
+    &whole_half_width, &x_with_height, &y_with_width, &sizes_swapped, &x_from_border,              \
+        &y_from_border, &both_from_border, &x_not_halved, &y_not_halved, &not_halved, &row_twice,  \
+        &column_twice, &one_step_less, &one_step_more, &half_fov, &no_fov, &in_pixels
+
 ANSWERS(from_border_to_border,
         POINT(in->x * in->width / (in->width - 1.0), in->y * in->height / (in->height - 1.0)),
         "the first and the last pixel stand on the borders: a picture has as many steps as pixels, "
@@ -142,6 +176,9 @@ ANSWERS(
     "pixel's corner, from a middle in whole numbers",
     MISTAKE_SHIFTED_HALF)
 ANSWERS(behind, at(SIZED(SIZE), -1), "the display stands before the eye: at z = 1, not -1")
+#define AT_1 "the display stands at distance 1, the third part of the point"
+ANSWERS(at_the_eye, at(SIZED(SIZE), 0), AT_1)
+ANSWERS(at_fov, at(SIZED(SIZE), FOV), AT_1)
 ANSWERS(behind_flipped, at(POINT(X, in->height - Y), -1),
         "the display stands before the eye, at z = 1, and row 0 is the top row, where y is largest")
 ANSWERS(made_unit, vector_unit(SIZED(SIZE)),
@@ -170,6 +207,7 @@ static const Known *const known[] = {&corner,
                                      &one_right_down,
                                      &whole_halves,
                                      &whole_half_height,
+                                     KNOWN_PLACES,
                                      &halves_rounded_up,
                                      &whole_steps,
                                      &from_border_to_border,
@@ -180,6 +218,8 @@ static const Known *const known[] = {&corner,
                                      &width_1,
                                      &corner_from_whole_middle,
                                      &behind,
+                                     &at_the_eye,
+                                     &at_fov,
                                      &behind_flipped};
 
 // ---- Answers ------------------------------------------------------------------------------------

@@ -232,6 +232,7 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
             const u32 n = n_asked(tree, list, rules);
             const Circle *found = NULL;
             double limit = INFINITY;
+            const int x = rules->transposed ? v : u, y = rules->transposed ? u : v;
             for (u32 i = (u32)rules->skip_first; !is_end(i, n, found, rules); i++) {
                 const u32 *ids = rules->first_ids ? tree->mapNode2Circles : list;
                 const u32 id = id_of_entry(tree, ids, 1 + i, rules->id);
@@ -240,7 +241,7 @@ void oracle2d_draw_leaves(const Circle *circles, int n_circles, const KdTree2D *
                     continue;
                 }
                 const Circle *circle = &circles[id];
-                if (!is_hidden(circle, rules, &limit) && covers(*circle, u, v, rules) &&
+                if (!is_hidden(circle, rules, &limit) && covers(*circle, x, y, rules) &&
                     takes_pixel(circle, found, rules)) {
                     found = circle;
                 } else if (rules->ends_at_miss) {

@@ -46,7 +46,8 @@ typedef struct OracleRules {
     int last_limits;       // minDepth is the depth of the one before, whether that covers or not
     u32 most_asked;        // of the scene, or of a leaf's list, no more than this; 0: all
     int squares;           // circles are squares, as beside the stand-in of lab 01
-    OracleId id;           // through a tree only
+    int transposed;        // through a tree only: of a leaf's circles (y, x) is asked
+    OracleId id;           // the same
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles
     int first_ids;         // or its own count, and the ids at the start
     u32 count_is_end;      // the count is taken for the place in mapNode2Circles at which the list

@@ -1,12 +1,12 @@
-// mutant: one dimension is launched instead of two: every work-item is in row 0
+// mutant: a launch of one dimension
 // task: enqueue_pixels
 // caught by: enqueue-covers
-// says: nobody wrote
+// says: one row of work-items
 // looks: unwritten
-    const size_t local_size[2] = {GROUP_SIZE, GROUP_SIZE};
-    const size_t global_size[2] = {
+    const size_t local_size[1] = {GROUP_SIZE};
+    const size_t global_size[1] = {
         ((size_t)width + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
-        ((size_t)height + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE,
     };
+    (void)height;
     CL_CHECK(
         clEnqueueNDRangeKernel(queue, kernel, 1, NULL, global_size, local_size, 0, NULL, NULL));
