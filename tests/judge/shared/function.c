@@ -33,17 +33,28 @@ static int is_same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
-// Does a known mistake explain every answer of the range?
-static int is_known(const Function *function, const Known *known, const void *job, Range range,
-                    const void *answers)
+// Does a way of a known mistake explain every answer of the range?
+static int is_known_way(const Function *function, const Known *known, int way, const void *job,
+                        Range range, const void *answers)
 {
     int i = 0;
     while (i < range.n &&
-           (known->fits(job, range_at(range, i), answers) ||
+           (known->fits(job, range_at(range, i), answers, way) ||
             (known->is_only && function->is_right(job, range_at(range, i), answers)))) {
         i++;
     }
     return i == range.n;
+}
+
+// Does a known mistake?
+static int is_known(const Function *function, const Known *known, const void *job, Range range,
+                    const void *answers)
+{
+    int way = 0;
+    while (way < known->n_ways && !is_known_way(function, known, way, job, range, answers)) {
+        way++;
+    }
+    return way < known->n_ways;
 }
 
 // Are all answers the same, as where nothing was filled in?
