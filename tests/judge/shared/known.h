@@ -9,10 +9,11 @@
 //       could the wrong answer `found` be of the mistake? Every wrong one must.
 //   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken")
 //       EACH for a family of mistakes with one sentence: `way` is 0 to 5, and one of them is it.
+//       It may contain others' mistakes, and what is right: it is named where no other is.
 //
 // "Every" is every answer of the function, in the ranges of all checks (but for is_known_by_range
 // of function.h): a sentence that is true in one check and not in another is not the cause.
-// ANSWERS, EACH and ANY are asked first; if two with different sentences explain the answers, nothing
+// ANSWERS and EACH are asked first, then ANY; if two with different sentences explain the answers, nothing
 // is said. Of ONLY the first of the list is named: the special one is before the general one. NULL
 // for a sentence: then nothing is said. What is right is told without mistakes:
 //
