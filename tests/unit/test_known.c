@@ -25,7 +25,8 @@ ANSWERS(doubled_twice, 4 * in, "it is doubled twice")
 ANSWERS(cubed, in *in *in, "it is cubed")
 ONLY(negative, in < 0, "only negative ones are wrong", MISTAKE_STRICT_BOUNDARY)
 ONLY(odd, in % 2 != 0, "only odd ones are wrong")
-static const Known *const known[] = {&squared, &doubled_twice, &cubed, &negative, &odd};
+ANY(added, 5, IS_FOUND(2 * in + way), "a number is added to it")
+static const Known *const known[] = {&squared, &doubled_twice, &cubed, &negative, &odd, &added};
 
 static char *describe(const void *job, int i, const void *answers)
 {
@@ -73,6 +74,13 @@ Test(known, a_mistake_foretells_every_answer)
                 "2: found 8 (3 of 4 inputs are wrong); it is doubled twice");
     expect_said(all, (const int[]){0, 8, 12, -2}, "2: found 8 (2 of 4 inputs are wrong)");
     expect_said(all, (const int[]){1, 8, 12, -4}, "0: found 1 (4 of 4 inputs are wrong)");
+}
+
+Test(known, of_a_family_one_way_explains_every_answer)
+{
+    expect_said(all, (const int[]){3, 7, 9, 1},
+                "0: found 3 (4 of 4 inputs are wrong); a number is added to it");
+    expect_said(all, (const int[]){3, 7, 9, 2}, "0: found 3 (4 of 4 inputs are wrong)");
 }
 
 Test(known, or_the_wrong_ones_have_it_in_common)

@@ -57,8 +57,8 @@ static Verdict judge_tree(const void *job, int k, const JudgeCheck *check, const
         return verdict_passed;  // as it must be, or for fits_todo() to answer for
     }
     return verdict_of(diagnosis_new("%s, maxDepth %d: kdtree3d_build gave up, expected a tree of "
-                                    "%u nodes: does splitting ever end, and does fits_todo() "
-                                    "allow it?",
+                                    "%u nodes: does splitting ever end, does fits_todo() allow it, "
+                                    "and do as many ids get into sphere_ids as leaves list?",
                                     scene->title, scene->limits.maxDepth, scene->tree.n_nodes));
 }
 

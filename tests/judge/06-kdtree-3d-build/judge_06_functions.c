@@ -69,19 +69,40 @@ ANSWERS(largest_sum, AXIS_OF_LARGEST(SUM(0), SUM(1), SUM(2)),
 ANSWERS(always_y, 1u, "y was split every time: the longest side is to be split")
 ANSWERS(always_z, 2u, "z was split every time: the longest side is to be split")
 ANSWERS(always_x, 0u, "x was split every time: the longest side is to be split")
+ANSWERS(never_y, LENGTH(2) > LENGTH(0) ? 2u : 0u, "y was never split, and a cell has three sides")
+ANSWERS(never_x, LENGTH(2) > LENGTH(1) ? 2u : 1u, "x was never split, and a cell has three sides")
 ANSWERS(never_z, LENGTH(1) > LENGTH(0) ? 1u : 0u, "z was never split, and a cell has three sides")
 ONLY(no_axis, found.axis >= 3, "there are axes 0, 1 and 2")
 ONLY(equal, found.axis < 3 && OWN_LENGTH == LONGEST, "of equal sides the first counts")
-ONLY(nearly_equal, found.axis < 3 && LONGEST - OWN_LENGTH < LONGEST / 1024,
+ONLY(nearly_equal, found.axis < 3 && OWN_LENGTH < LONGEST && LONGEST - OWN_LENGTH < LONGEST / 1024,
      "these sides are not equal, if nearly, and the longest is split")
+ONLY(nearly_equal_in_whole, found.axis < 3 && LONGEST - OWN_LENGTH < 2,
+     "only sides that differ by less than 2, or not at all, are mistaken for one another: are they "
+     "cut "
+     "to whole numbers, or compared with an epsilon?")
 ONLY(shortest, found.axis < 3 && OWN_LENGTH == SHORTEST, "that side is the shortest")
 
-static const Known *const known_of_axis[] = {
-    &beside_x,           &beside_last,     &whole_lengths, &largest,
-    &always_x,           &never_z,         &no_axis,       &equal,
-    &nearly_equal,       &shortest,        &beside_next,   &beside_next_equal,
-    &last_of_any_length, &largest_end,     &largest_sum,   &always_y,
-    &always_z,           &last_where_equal};
+static const Known *const known_of_axis[] = {&beside_x,
+                                             &beside_last,
+                                             &whole_lengths,
+                                             &largest,
+                                             &always_x,
+                                             &never_z,
+                                             &no_axis,
+                                             &equal,
+                                             &nearly_equal,
+                                             &shortest,
+                                             &beside_next,
+                                             &beside_next_equal,
+                                             &last_of_any_length,
+                                             &largest_end,
+                                             &largest_sum,
+                                             &always_y,
+                                             &always_z,
+                                             &last_where_equal,
+                                             &never_y,
+                                             &never_x,
+                                             &nearly_equal_in_whole};
 
 const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
                                 KNOWING(is_longest, describe_axis, known_of_axis)};
@@ -144,14 +165,17 @@ ANSWERS(middle_of_y, MIDDLE_OF(1), "the position is the middle of y, whatever th
 ANSWERS(middle_of_z, MIDDLE_OF(2), "the position is the middle of z, whatever the axis")
 ANSWERS(middle_of_x, ((double)in.min[0] + in.max[0]) / 2,
         "the position is the middle of x, whatever the axis")
+ANSWERS(pos_not_set, 0, "split.pos is not set")
+ANSWERS(sum_halved_added, LOW_END + (LOW_END + HIGH_END) / 2,
+        "from the minimum on it is half of the length, not half of the sum of both ends")
 ANSWERS(sum_of_ends, LOW_END + HIGH_END, "the sum of both ends is to be halved")
 ANSWERS(half_length, (HIGH_END - LOW_END) / 2, "that is half the length, as if the cell began at 0")
 
 static const Known *const known_of_middle[] = {
-    &zero_for_a_point, &whole_middle, &middle_of_x, &sum_of_ends, &half_length,
-    &half_of_max,      &half_of_min,  &low_end,     &high_end,    &length,
-    &min_taken_off,    &from_max,     &from_min,    &max_halved,  &min_halved,
-    &min_halved_added, &other_axis,   &other_share, &middle_of_y, &middle_of_z};
+    &zero_for_a_point, &whole_middle, &middle_of_x, &sum_of_ends,      &half_length,   &half_of_max,
+    &half_of_min,      &low_end,      &high_end,    &length,           &min_taken_off, &from_max,
+    &from_min,         &max_halved,   &min_halved,  &min_halved_added, &other_axis,    &other_share,
+    &middle_of_y,      &middle_of_z,  &pos_not_set, &sum_halved_added};
 
 const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
                                   KNOWING(is_middle, describe_middle, known_of_middle)};
@@ -197,7 +221,7 @@ ANSWERS(one_too_many, in <= TODO_SIZE + 1,
 ANSWERS(half, in <= TODO_SIZE / 2, "only one node waits for each split, not two")
 ANSWERS(nodes_of_level, in <= 5,
         "a level's nodes were counted: of all of them only one waits for each split on the way")
-ANSWERS(levels_inverted, in > TODO_SIZE, "1 and 0 are swapped: 1 allows the split")
+ANY(levels_inverted, 2, IS_FOUND(in > TODO_SIZE - way), "1 and 0 are swapped: 1 allows the split")
 ANSWERS(all_levels, 1, "every split is allowed: the stack has TODO_SIZE places")
 ANSWERS(not_equal, in != TODO_SIZE,
         "a negative number is not 0, and so counts as yes: return a comparison")

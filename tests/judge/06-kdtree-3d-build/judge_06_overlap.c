@@ -78,43 +78,81 @@ ONLY(no_corner, !found && !holds_corner(in, 0),
 ONLY(reaches_in, !found && reach_furthest(reach) > 0,
      "its centre is outside but the sphere reaches in")
 
-// The distances of a line that was copied and not changed all through: on one axis the coordinate,
-// or the borders, are another's.
-static int copied(SphereBoxJob in, int axis, int of_coordinate, int of_borders)
+// How far outside() says it is: below the minimum a negative number.
+static double signed_outside(double coordinate, double min, double max)
 {
-    const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
-    double distance2 = 0;
-    for (int k = 0; k < 3; k++) {
-        const int c = k == axis ? of_coordinate : k, b = k == axis ? of_borders : k;
-        const double outside = outside_of(centre[c], in.box.min[b], in.box.max[b]);
-        distance2 += outside * outside;
-    }
-    return distance2 <= (double)in.sphere.radius * in.sphere.radius;
+    return coordinate - fmin(fmax(coordinate, min), max);
 }
 
-#define OTHER_BORDERS                                                                              \
-    "on one axis the borders of another were taken: is a copied line changed all through?"
-#define OTHER_COORDINATE                                                                           \
-    "on one axis the centre's coordinate on another was taken: is a copied line changed all "      \
-    "through?"
-#define ONE_TWICE                                                                                  \
-    "one axis counts twice, and another not at all: is a copied line changed all through?"
-ANSWERS(x_by_y, copied(in, 0, 0, 1), OTHER_BORDERS)
-ANSWERS(x_by_z, copied(in, 0, 0, 2), OTHER_BORDERS)
-ANSWERS(y_by_x, copied(in, 1, 1, 0), OTHER_BORDERS)
-ANSWERS(y_by_z, copied(in, 1, 1, 2), OTHER_BORDERS)
-ANSWERS(z_by_x, copied(in, 2, 2, 0), OTHER_BORDERS)
-ANSWERS(z_by_y, copied(in, 2, 2, 1), OTHER_BORDERS)
-ANSWERS(y_for_x, copied(in, 0, 1, 0), OTHER_COORDINATE)
-ANSWERS(z_for_x, copied(in, 0, 2, 0), OTHER_COORDINATE)
-ANSWERS(x_for_y, copied(in, 1, 0, 1), OTHER_COORDINATE)
-ANSWERS(z_for_y, copied(in, 1, 2, 1), OTHER_COORDINATE)
-ANSWERS(x_for_z, copied(in, 2, 0, 2), OTHER_COORDINATE)
-ANSWERS(y_for_z, copied(in, 2, 1, 2), OTHER_COORDINATE)
-ANSWERS(x_twice, copied(in, 1, 0, 0), ONE_TWICE)
-ANSWERS(x_twice_no_z, copied(in, 2, 0, 0), ONE_TWICE)
-ANSWERS(y_twice, copied(in, 2, 1, 1), ONE_TWICE)
-ANSWERS(z_twice, copied(in, 1, 2, 2), ONE_TWICE)
+// Of each axis the coordinate (0 to 2), the minimum (3 to 5) and the maximum (6 to 8).
+static double number_of(SphereBoxJob in, int k)
+{
+    const float centre[] = {in.sphere.x, in.sphere.y, in.sphere.z};
+    return k < 3 ? centre[k] : k < 6 ? in.box.min[k - 3] : in.box.max[k - 6];
+}
+
+// On one axis outside() gets other numbers: of all, 9 * 9 * 9 for each axis, or of its own.
+enum { N_OTHER_NUMBERS = 3 * 9 * 9 * 9 };
+static int reaches_with(SphereBoxJob in, int way, int is_own)
+{
+    const int given = way % 3, k[3] = {way / 3 % 9, way / 27 % 9, way / 243};
+    double distance2 = 0;
+    int n_own = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const int is_given = axis == given;
+        const double outside = signed_outside(number_of(in, is_given ? k[0] : axis),
+                                              number_of(in, is_given ? k[1] : axis + 3),
+                                              number_of(in, is_given ? k[2] : axis + 6));
+        distance2 += outside * outside;
+        n_own += k[axis] % 3 == given;
+    }
+    // The distance from a number to itself is none: that is an axis less.
+    const int is_one = is_own == (n_own == 3) && k[0] != k[1] && k[0] != k[2];
+    return is_one ? distance2 <= (double)in.sphere.radius * in.sphere.radius : -1;
+}
+
+ANY(other_axis, N_OTHER_NUMBERS, IS_FOUND(reaches_with(in, way, 0)),
+    "on one axis numbers of another were taken: is a copied line changed all through?")
+ANY(other_order, N_OTHER_NUMBERS, IS_FOUND(reaches_with(in, way, 1)),
+    "on one axis outside() is not given the coordinate, the minimum and the maximum, in this order")
+
+// In the sum one square is another term: one axis' distance times another's, itself, or its size;
+// or squares are taken off.
+static double sum_with(SphereBoxJob in, int way, double (*term)(const double d[3], int, int))
+{
+    double d[3], sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        d[axis] =
+            signed_outside(number_of(in, axis), number_of(in, axis + 3), number_of(in, axis + 6));
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        sum += term(d, axis, way);
+    }
+    return sum;
+}
+
+static double times_other(const double d[3], int axis, int way)
+{
+    return axis == way % 3 ? d[axis] * d[(axis + 1 + way / 3) % 3] : d[axis] * d[axis];
+}
+
+// A bit for each axis that is not squared; and whether its size is taken.
+static double not_squared(const double d[3], int axis, int way)
+{
+    return !(way >> axis & 1) ? d[axis] * d[axis] : way >> 3 ? fabs(d[axis]) : d[axis];
+}
+
+static double taken_off(const double d[3], int axis, int way)
+{
+    return way >> axis & 1 ? -d[axis] * d[axis] : d[axis] * d[axis];
+}
+
+#define SUM_IS_WITHIN(term) IS_FOUND(sum_with(in, way, term) <= RADIUS * RADIUS)
+ANY(product, 6, SUM_IS_WITHIN(times_other),
+    "the distance on one axis is multiplied by that on another: each is squared")
+ANY(unsquared, 15, SUM_IS_WITHIN(not_squared), "not the squares of all three distances are added")
+ANY(subtracted, 8, SUM_IS_WITHIN(taken_off),
+    "a square was subtracted: the squares of all three distances add up")
 
 // The lowest or the highest corner in the place of the nearest point.
 static int reaches(SphereBoxJob in, const float corner[3])
@@ -130,17 +168,14 @@ static int reaches(SphereBoxJob in, const float corner[3])
 ANSWERS(to_lowest, reaches(in, in.box.min), ONE_CORNER)
 ANSWERS(to_highest, reaches(in, in.box.max), ONE_CORNER)
 
-// How far outside() says it is: below the minimum a negative number.
-static double signed_outside(SphereBoxJob in, int axis)
-{
-    const double centre[3] = {in.sphere.x, in.sphere.y, in.sphere.z};
-    return centre[axis] - fmin(fmax(centre[axis], in.box.min[axis]), in.box.max[axis]);
-}
-
 static int is_signed_cube(SphereBoxJob in, double radius)
 {
-    return signed_outside(in, 0) <= radius && signed_outside(in, 1) <= radius &&
-           signed_outside(in, 2) <= radius;
+    int n_near = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        n_near += signed_outside(number_of(in, axis), number_of(in, axis + 3),
+                                 number_of(in, axis + 6)) <= radius;
+    }
+    return n_near == 3;
 }
 
 #define OUTSIDE(axis) reach.outside[axis]
@@ -166,23 +201,38 @@ ANSWERS(signed_radius, D2 <= RADIUS * fabs(RADIUS),
 ANSWERS(doubled, D2 <= 4 * RADIUS * RADIUS, "the radius was doubled: it is no diameter")
 ANSWERS(halved, 4 * D2 <= RADIUS * RADIUS, "the radius was halved: it is no diameter")
 ANSWERS(squared_again, D2 *D2 <= RADIUS * RADIUS, "the sum of the squares was squared again")
-ANSWERS(inverted, D2 > RADIUS * RADIUS, "1 and 0 are swapped: 1 where they overlap")
+ANY(inverted, 2, IS_FOUND(way ? D2 >= RADIUS *RADIUS : D2 > RADIUS * RADIUS),
+    "1 and 0 are swapped: 1 where they overlap")
 ANSWERS(always, 1, "every sphere overlaps every cell then: each leaf lists them all")
 
-static const Known *const known_of_overlap[] = {
-    &by_signed_root, &by_middle,     &cube,
-    OVERLAP_KNOWN,   &cell_within,   &centre_within,
-    &no_corner,      &reaches_in,    &x_by_y,
-    &x_by_z,         &y_by_x,        &y_by_z,
-    &z_by_x,         &z_by_y,        &y_for_x,
-    &z_for_x,        &x_for_y,       &z_for_y,
-    &x_for_z,        &y_for_z,       &x_twice,
-    &x_twice_no_z,   &y_twice,       &z_twice,
-    &to_lowest,      &to_highest,    &by_signed_root_strict,
-    &by_root_strict, &signed_radius, &doubled,
-    &halved,         &squared_again, &inverted,
-    &always,         &signed_cube,   &signed_cube_of_size,
-    &cube_of_signed, &any_axis,      &level_on_any};
+static const Known *const known_of_overlap[] = {&by_signed_root,
+                                                &by_middle,
+                                                &cube,
+                                                OVERLAP_KNOWN,
+                                                &cell_within,
+                                                &centre_within,
+                                                &no_corner,
+                                                &reaches_in,
+                                                &to_lowest,
+                                                &to_highest,
+                                                &by_signed_root_strict,
+                                                &by_root_strict,
+                                                &signed_radius,
+                                                &doubled,
+                                                &halved,
+                                                &squared_again,
+                                                &inverted,
+                                                &always,
+                                                &signed_cube,
+                                                &signed_cube_of_size,
+                                                &cube_of_signed,
+                                                &any_axis,
+                                                &level_on_any,
+                                                &other_axis,
+                                                &other_order,
+                                                &product,
+                                                &unsquared,
+                                                &subtracted};
 
 static char *describe_overlap(const void *job, int i, const void *answers)
 {

@@ -60,6 +60,8 @@ EACH(by_id, found.first == in->id,
      "that is the leaf's own id: its range begins where the array of ids ends")
 EACH(one_behind, found.first == in->n_before + 1,
      "that is one place too far: n_sphere_ids, before it moves, is the first free place")
+EACH(first_unset, found.first == UNTOUCHED && found.n_spheres == in->n_ids, "first is not set")
+EACH(n_unset, found.n_spheres == UNTOUCHED && found.first == in->n_before, "n_spheres is not set")
 EACH(swapped, found.first == in->n_ids && found.n_spheres == in->n_before,
      "first and n_spheres are swapped")
 EACH(first_is_id, in->n_ids == 0 || found.first == in->ids[0],
@@ -96,7 +98,7 @@ static const Known *const known_of_node[] = {
     &end_kept,    &first_behind,    &first_in_bytes, &empty_from_0,  &count_is_end,
     &counted_up,  &count_of_8_bits, &by_id,          &one_behind,    &swapped,
     &first_is_id, &empty_left_out,  &first_at_0,     &first_is_last, &copy,
-    &other_node,  &unmarked};
+    &other_node,  &unmarked,        &first_unset,    &n_unset};
 
 const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
                                KNOWING(is_right_node, describe_node, known_of_node),
@@ -202,6 +204,19 @@ static int is_one_place(const PackJob *in, const PackAnswer3D *out)
     return at == PACK_MAP_ROOM;
 }
 
+// Are only the leaf's ids from `from` to before `to` in its range?
+static int are_only(const PackJob *in, const u32 *list, u32 from, u32 to)
+{
+    u32 k = from;
+    while (k < to && list[k - from] == in->ids[k]) {
+        k++;
+    }
+    return k >= to && (in->n_ids == 0 || list[in->n_ids - 1] == UNTOUCHED);
+}
+
+EACH(first_missing, are_only(in, list, 1, in->n_ids), "the leaf's first id is missing")
+EACH(last_missing, are_only(in, list, 0, in->n_ids - (in->n_ids > 0)),
+     "the leaf's last id is missing")
 EACH(one_more, stand_at(in, out, in->n_before, 1),
      "one id too many is written, behind the leaf's range")
 EACH(one_place_on, stand_at(in, out, in->n_before + 1, 0),
@@ -247,10 +262,10 @@ ONLY(split_pos_set, IN_PLACE &&found.split_pos != PACK_SPLIT_POS,
 EACH(unwritten, stand_at(in, out, PACK_MAP_ROOM, 0),
      "no id is written: the leaf's range is in the array, and stays free")
 
-static const Known *const known_of_ids[] = {&count_first,  PACKED_KNOWN, &in_front,  &one_more,
-                                            &one_place_on, &at_id,       &end_stays, &end_one_on,
-                                            &end_is_count, &end_twice,   &one_place, &split_pos_set,
-                                            &unwritten,    &to_count,    &sphere_0};
+static const Known *const known_of_ids[] = {
+    &count_first, PACKED_KNOWN, &in_front,     &one_more,      &one_place_on, &at_id,
+    &end_stays,   &end_one_on,  &end_is_count, &end_twice,     &one_place,    &split_pos_set,
+    &unwritten,   &to_count,    &sphere_0,     &first_missing, &last_missing};
 
 const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
                               KNOWING(are_right_ids, describe_ids, known_of_ids),

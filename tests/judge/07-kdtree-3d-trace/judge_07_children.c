@@ -102,7 +102,8 @@ static Met met_by_ray(const NextChildJob *in)
 {
     const float t_split = (in->node.split_pos - in->origin) * in->inverse;
     const int is_ahead = t_split > 0 && t_split <= in->t_max;
-    return (Met){in->origin > in->node.split_pos,
+    return (Met){in->origin > in->node.split_pos ||
+                     (in->origin == in->node.split_pos && in->inverse > 0),
                  !is_ahead             ? PLANE_ONLY_NEAR
                  : t_split < in->t_min ? PLANE_ONLY_FAR
                                        : PLANE_BOTH,
@@ -261,6 +262,84 @@ ANSWERS(both_cut, visited(in, MET, with_ends(PARTS, MET.t_split, MET.t_split)),
 ANSWERS(near_cut_any, visited(in, MET, with_ends(PARTS, MET.t_split, PARTS.far.t_min)),
         "where only the near child is met the part stays as it is: t_split is not in it")
 
+// What is added to node.first: for the near child `side`, for the far one the other of 0 and 1.
+static u32 child_by(const NextChildJob *in, u32 added, int way)
+{
+    const u32 by[] = {added, !added, 0, 1, 2 * added, -added};
+    return in->node.first + by[way];
+}
+
+ANY(one_child, 36,
+    IS_FOUND(visited(in, MET,
+                     with_ids(PARTS, child_by(in, MET.side, way % 6),
+                              child_by(in, !MET.side, way / 6)))),
+    "near and far child are not the two: the near one is on the side that near_side() tells, the "
+    "far one is the other")
+
+// A part that is another: of t_min, t_max and t_split two, of one child or the other.
+static float end_of(const NextChildJob *in, float t_split, int k)
+{
+    return k == 0 ? in->t_min : k == 1 ? in->t_max : t_split;
+}
+
+enum { N_PARTS = 2 * 9 };
+static Parts part_by(const NextChildJob *in, Met met, int is_asked, int is_far, int way)
+{
+    Parts parts = parts_of(in, met);
+    if (is_asked) {
+        TodoEntry *part = is_far ? &parts.far : &parts.near;
+        part->node ^= way / 9 == 0 ? 0 : parts.near.node ^ parts.far.node;
+        part->t_min = end_of(in, met.t_split, way / 3 % 3);
+        part->t_max = end_of(in, met.t_split, way % 3);
+    }
+    return parts;
+}
+
+#define PART_BY(asked, is_far)                                                                     \
+    IS_FOUND(visited(in, MET, part_by(in, MET, MET.children == (asked), is_far, way)))
+#define BOTH_PARTS                                                                                 \
+    "where both children are met the near one gets the part from t_min to t_split, the far one "   \
+    "that from t_split to t_max: child or part is another"
+ANY(near_part, N_PARTS, PART_BY(PLANE_BOTH, 0), BOTH_PARTS)
+ANY(far_part, N_PARTS, PART_BY(PLANE_BOTH, 1), BOTH_PARTS)
+#define WHOLE_PART                                                                                 \
+    "where only one child is met it gets the whole part, from t_min to t_max: child or part is "   \
+    "another"
+ANY(only_near_part, N_PARTS, PART_BY(PLANE_ONLY_NEAR, 0), WHOLE_PART)
+ANY(only_far_part, N_PARTS, PART_BY(PLANE_ONLY_FAR, 1), WHOLE_PART)
+
+// The arguments in another order: two neighbours have changed places.
+static NextChildJob reordered(const NextChildJob *in, int way)
+{
+    const float of[] = {in->origin, in->inverse, in->t_min, in->t_max};
+    NextChildJob job = *in;
+    float *const to[] = {&job.origin, &job.inverse, &job.t_min, &job.t_max};
+    for (int k = 0; k < 4; k++) {
+        *to[k] = of[k == way ? k + 1 : k == way + 1 ? k - 1 : k];
+    }
+    return job;
+}
+
+static Met with_side_of(const Job *job, const NextChildJob *in, NextChildJob other)
+{
+    Met met = met_by(job, in);
+    met.side = met_by(job, &other).side;
+    return met;
+}
+
+static Met with_children_of(const Job *job, const NextChildJob *in, NextChildJob other)
+{
+    Met met = met_by(job, &other);
+    met.side = met_by(job, in).side;
+    return met;
+}
+
+ANSWERS(side_reordered, child(in, with_side_of(job, in, reordered(in, 0))),
+        "the arguments of near_side() are in another order: the node, origin, inverse")
+ANY(children_reordered, 3, IS_FOUND(child(in, with_children_of(job, in, reordered(in, way)))),
+    "the arguments of children_on_ray() are in another order: the node, origin, inverse, t_min, "
+    "t_max")
+
 // Take the expected number for one a hair beside it.
 static TodoEntry without_hair(TodoEntry found, TodoEntry expected)
 {
@@ -285,10 +364,13 @@ ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in
      "takes none")
 
 static const Known *const known[] = {
-    &swapped,     &by_direction, &lower_is_near, &far_is_near, &never_skipped, &no_points,
-    &far_dropped, &near_waits,   &parts_swapped, &keeps_t_max, &keeps_t_min,   &always_waits,
-    &is_side,     &goes_to_side, &by_bit,        &near_cut,    &far_cut,       &hair,
-    &last_place,  &both_cut,     &near_cut_any};
+    &swapped,        &by_direction,  &lower_is_near,  &far_is_near,
+    &never_skipped,  &no_points,     &far_dropped,    &near_waits,
+    &parts_swapped,  &keeps_t_max,   &keeps_t_min,    &always_waits,
+    &is_side,        &goes_to_side,  &by_bit,         &near_cut,
+    &far_cut,        &hair,          &last_place,     &both_cut,
+    &near_cut_any,   &one_child,     &near_part,      &far_part,
+    &only_near_part, &only_far_part, &side_reordered, &children_reordered};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

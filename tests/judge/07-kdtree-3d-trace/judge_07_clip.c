@@ -32,7 +32,9 @@ typedef struct Way {
     int first_entry, last_exit;   // count
     int along_ignored;            // whether a ray along an axis is between its planes
     int along_missed, along_met;  // such a ray misses; or its first axis decides
-    int border_outside;           // a ray in the plane of a side misses
+    int along_other;              // 1 + another comparison of it (is_beside)
+    int first_decides;            // the loop ends with the first axis that has entry and exit
+    int border_outside;           // a ray in the plane of a side misses: of the lower 1, upper 2
     int entry_behind;             // an entry behind the eye is a miss
     int exit_ahead;               // an exit ahead is enough,
     int always_met;               // or nothing is needed
@@ -65,6 +67,15 @@ static Span clip_plane(const ClipJob *in, u32 axis, double plane, Way way)
     return (Span){t - error, t + error};
 }
 
+// Is a ray along an axis' planes beside them, by two comparisons: of 0 to 15, 3 is the right one.
+// With 16 it is if it is not.
+static int is_beside(double origin, double min, double max, int comparisons)
+{
+    const int holds[] = {origin<min, origin> min, origin<max, origin> max};
+    return comparisons == 16 ? !(holds[0] || holds[3])
+                             : holds[comparisons / 4] || holds[comparisons % 4];
+}
+
 static Clip clipped(const ClipJob *in, Way way)
 {
     Span entry = {-INFINITY, -INFINITY}, exit = {INFINITY, INFINITY};
@@ -77,9 +88,11 @@ static Clip clipped(const ClipJob *in, Way way)
         const double direction = taken(in->direction, axis, way.direction_of);
         if (direction == 0 || fabs(direction) < way.small) {
             const double origin = taken(in->origin, axis, way.origin_of);
-            is_outside |= way.along_missed || origin < min - way.beside ||
-                          origin > max + way.beside ||
-                          (way.border_outside && (origin == min || origin == max));
+            is_outside |= way.along_missed ||
+                          is_beside(origin, min - way.beside, max + way.beside,
+                                    way.along_other > 0 ? way.along_other - 1 : 3) ||
+                          ((way.border_outside & 1) && origin == min) ||
+                          ((way.border_outside & 2) && origin == max);
             is_decided = way.along_met;
             continue;
         }
@@ -90,6 +103,9 @@ static Clip clipped(const ClipJob *in, Way way)
         const int is_first = n_axes++ == 0;
         entry = is_first ? into : way.first_entry ? span_min(entry, into) : span_max(entry, into);
         exit = is_first ? out : way.last_exit ? span_max(exit, out) : span_min(exit, out);
+        if (way.first_decides) {
+            break;
+        }
     }
     const Span t_min = span_max(entry, (Span){in->t_min, in->t_min});
     const Span end = {in->t_max, in->t_max};
@@ -176,12 +192,13 @@ ANSWERS(along_met, clipped(in, (Way){.along_met = 1}),
 ANSWERS(always_met, clipped(in, (Way){.always_met = 1}),
         "when t_min is beyond t_max nothing is left: that is 0")
 EACH(border_divided,
-     !found.is_met && is_in_side(in) ? is_divided_by_0(found) : is_right(job, i, answers),
+     is_right(job, i, answers) || (!found.is_met && is_in_side(in) && is_divided_by_0(found)),
      "0 / 0 is not a number: for a ray in the plane of a side nothing is to be divided by the "
      "direction, it is inside")
-EACH(border_outside, IS_FOUND(clipped(in, (Way){.border_outside = 1})) && !is_divided_by_0(found),
-     "strict where it should not be: a ray in the plane of a side is inside",
-     MISTAKE_STRICT_BOUNDARY)
+ANY(border_outside, 3,
+    IS_FOUND(clipped(in, (Way){.border_outside = 1 + way})) && !is_divided_by_0(found),
+    "strict where it should not be: a ray in the plane of a side is inside",
+    MISTAKE_STRICT_BOUNDARY)
 ANSWERS(unstored, not_stored(in),
         "what is left of the ray was not stored: *t_min and *t_max are as they came")
 ANSWERS(exit_ahead, clipped(in, (Way){.exit_ahead = 1}),
@@ -209,12 +226,125 @@ ANSWERS(origin_of_x, clipped(in, (Way){.origin_of = 1}), OF_ONE_AXIS)
 ANSWERS(origin_of_y, clipped(in, (Way){.origin_of = 2}), OF_ONE_AXIS)
 ANSWERS(origin_of_z, clipped(in, (Way){.origin_of = 3}), OF_ONE_AXIS)
 
-#define AXIS_SKIPPED                                                                               \
-    "that is as if one of the three axes were not asked: the loop ends too soon, or begins too "   \
-    "late"
-ANSWERS(skips_x, clipped(in, (Way){.skipped = 1}), AXIS_SKIPPED)
-ANSWERS(skips_y, clipped(in, (Way){.skipped = 2}), AXIS_SKIPPED)
-ANSWERS(skips_z, clipped(in, (Way){.skipped = 4}), AXIS_SKIPPED)
+// A bit for each axis; not all of them.
+ANY(skips, 6, IS_FOUND(clipped(in, (Way){.skipped = (u32)way + 1})),
+    "that is as if not all of the three axes were asked: the loop ends too soon, or begins too "
+    "late")
+ANSWERS(first_decides, clipped(in, (Way){.first_decides = 1}),
+        "that is as if the first axis decided: all three are asked before it is known what is left")
+ANY(along_other, 17, IS_FOUND(clipped(in, (Way){.along_other = 1 + way})),
+    "a ray along the planes of an axis is beside them if its origin is below the minimum or above "
+    "the maximum: something else is compared")
+
+// What the loop makes of t_min or t_max on each axis: of two, the larger or the smaller.
+typedef struct Line {
+    int how;       // 0 the larger, 1 the smaller, 2 the second, 3 the first: the line is missing
+    int of_t_max;  // the first is t_min, or t_max
+    int of;        // the second: 0 the entry, 1 the exit, 2 the lower plane's t, 3 the upper one's
+} Line;
+
+enum { N_LINES = 32 };
+static Line line_of(int way)
+{
+    return (Line){way % 4, way / 4 % 2, way / 8};
+}
+
+static const Line right_min = {0, 0, 0}, right_max = {1, 1, 1};
+
+// Of the two planes of an axis: which one, and by which formula.
+typedef enum Formula { DIVIDED, ADDED, LESS_DIRECTION, MULTIPLIED, BY_ORIGIN, BACKWARDS } Formula;
+typedef struct Planes {
+    int low_is_high, high_is_low;
+    Formula low, high;
+} Planes;
+
+static Span t_by(const ClipJob *in, u32 axis, double plane, Formula formula)
+{
+    const double o = vector_component(vector_of(in->origin), axis),
+                 d = vector_component(vector_of(in->direction), axis);
+    const double t[] = {
+        0, (plane + o) / d, (plane - d) / d, (plane - o) * d, (plane - o) / o, (o - plane) / d};
+    const double error = PLANE_ERROR * (fabs(t[formula]) + (fabs(plane) + fabs(o) + 1) / fabs(d));
+    return formula == DIVIDED ? clip_plane(in, axis, plane, (Way){0})
+                              : (Span){t[formula] - error, t[formula] + error};
+}
+
+static Span span_by(Line line, Span t_min, Span t_max, const Span of[4])
+{
+    const Span first = line.of_t_max ? t_max : t_min, second = of[line.of];
+    return line.how == 0   ? span_max(first, second)
+           : line.how == 1 ? span_min(first, second)
+           : line.how == 2 ? second
+                           : first;
+}
+
+static Clip lined(const ClipJob *in, Line min_line, Line max_line, Planes planes)
+{
+    Span t_min = {in->t_min, in->t_min}, t_max = {in->t_max, in->t_max};
+    for (u32 axis = 0; axis < 3; axis++) {
+        const double min = in->box.min[axis], max = in->box.max[axis],
+                     origin = vector_component(vector_of(in->origin), axis);
+        if (vector_component(vector_of(in->direction), axis) == 0) {
+            if (origin < min || origin > max) {
+                return (Clip){0, 1, t_min, t_max};
+            }
+            continue;
+        }
+        const Span low = t_by(in, axis, planes.low_is_high ? max : min, planes.low),
+                   high = t_by(in, axis, planes.high_is_low ? min : max, planes.high);
+        const Span of[4] = {span_min(low, high), span_max(low, high), low, high};
+        t_min = span_by(min_line, t_min, t_max, of);
+        t_max = span_by(max_line, t_min, t_max, of);
+    }
+    return (Clip){t_min.low <= t_max.high, t_min.high > t_max.low, t_min, t_max};
+}
+
+static Clip with_min_line(const ClipJob *in, Line line)
+{
+    return lined(in, line, right_max, (Planes){0});
+}
+
+static Clip with_max_line(const ClipJob *in, Line line)
+{
+    return lined(in, right_min, line, (Planes){0});
+}
+
+ANSWERS(min_overwritten, with_min_line(in, (Line){.how = 2, .of = 0}),
+        "that is as if each axis overwrote t_min: it becomes the larger of itself and the entry")
+ANSWERS(max_overwritten, with_max_line(in, (Line){.how = 2, .of = 1}),
+        "that is as if each axis overwrote t_max: it becomes the smaller of itself and the exit")
+EACH(both_overwritten,
+     IS_FOUND(lined(in, (Line){.how = 2, .of = 0}, (Line){.how = 2, .of = 1}, (Planes){0})),
+     "that is as if each axis overwrote t_min and t_max: t_min only grows, and t_max only shrinks")
+ANY(min_line, N_LINES, IS_FOUND(with_min_line(in, line_of(way))),
+    "t_min becomes the larger of itself and the axis' entry, which is the smaller of the two t: "
+    "here it becomes something else")
+ANY(max_line, N_LINES, IS_FOUND(with_max_line(in, line_of(way))),
+    "t_max becomes the smaller of itself and the axis' exit, which is the larger of the two t: "
+    "here it becomes something else")
+
+// Of one plane, or both: a formula; or one plane for the other.
+static Planes planes_of(int way)
+{
+    const Formula formula = (Formula)(1 + way / 3);
+    return way == 15   ? (Planes){.low_is_high = 1}
+           : way == 16 ? (Planes){.high_is_low = 1}
+                       : (Planes){.low = way % 3 == 1 ? DIVIDED : formula,
+                                  .high = way % 3 == 2 ? DIVIDED : formula};
+}
+
+ANY(other_formula, 17, IS_FOUND(lined(in, right_min, right_max, planes_of(way))),
+    "t to a plane is the way from the origin to it, divided by the direction: for one of the two "
+    "planes, or both, something else is computed")
+static Clip inverted_result(const ClipJob *in)
+{
+    const Clip clip = CLIP;
+    return (Clip){clip.t_min.high >= clip.t_max.low, clip.t_min.low < clip.t_max.high, clip.t_min,
+                  clip.t_max};
+}
+EACH(inverted,
+     in->direction.x * in->direction.y * in->direction.z == 0 || IS_FOUND(inverted_result(in)),
+     "1 and 0 are swapped: something is left if t_min is at most t_max")
 
 // Of an epsilon, whose size is not known: what comes of a large one.
 ONLY(small_is_along, IS_FOUND(clipped(in, (Way){.small = HAIR})),
@@ -226,12 +356,16 @@ ONLY(hair_missed, IS_FOUND(clipped(in, (Way){.shorter = HAIR})),
      "that is as if a part that is short were none: compare without an epsilon")
 
 static const Known *const known[] = {
-    &low_is_entry, &no_t_min,       &no_t_max,       &no_part,        &from_0,         &first_entry,
-    &last_exit,    &point_missed,   &along_ignored,  &along_missed,   &along_met,      &always_met,
-    &skips_x,      &skips_y,        &skips_z,        &border_divided, &border_outside, &unstored,
-    &exit_ahead,   &entry_behind,   &small_is_along, &hair_met,       &hair_missed,    &multiplied,
-    &grown,        &direction_of_x, &direction_of_y, &direction_of_z, &origin_of_x,    &origin_of_y,
-    &origin_of_z};
+    &low_is_entry,    &no_t_min,         &no_t_max,       &no_part,
+    &from_0,          &first_entry,      &last_exit,      &point_missed,
+    &along_ignored,   &along_missed,     &along_met,      &always_met,
+    &skips,           &first_decides,    &along_other,    &min_overwritten,
+    &max_overwritten, &both_overwritten, &min_line,       &max_line,
+    &other_formula,   &inverted,         &border_divided, &border_outside,
+    &unstored,        &exit_ahead,       &entry_behind,   &small_is_along,
+    &hair_met,        &hair_missed,      &multiplied,     &grown,
+    &direction_of_x,  &direction_of_y,   &direction_of_z, &origin_of_x,
+    &origin_of_y,     &origin_of_z};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -79,6 +79,7 @@ typedef enum Comparison {
     NEARER,
     NOT_FARTHER,     // t <= hit->t: a miss as far as no hit so far, too
     LOWER_TOO,       // and its number must be lower
+    OR_LOWER,        // or its number is lower
     FARTHER,         // t > hit->t: misses, which are infinitely far, win
     FARTHER_HIT,     // the same, but misses are passed over: no hit so far stays for ever
     FARTHER_OR_ANY,  // the same, but in place of no hit so far comes any
@@ -87,6 +88,7 @@ typedef enum Comparison {
 typedef struct Loop {
     Comparison comparison;
     int lower_wins;      // of equal distances that of the lower number, as it should
+    int higher_wins;     // or of the higher one
     int asks_position;   // it asks the sphere whose id is the position in sphere_ids,
     int keeps_position;  // and keeps the position
     int from_start;      // it runs over the first ids of the tree
@@ -104,8 +106,12 @@ static int takes(Loop loop, double t, u32 id, const LeafHit *so_far)
     if (loop.comparison == LOWER_TOO) {
         return t < INFINITY && t <= so_far->t && id < so_far->sphere;
     }
+    if (loop.comparison == OR_LOWER) {
+        return t < INFINITY && (t < so_far->t || id < so_far->sphere);
+    }
     if (t == so_far->t && t < INFINITY) {
-        return loop.lower_wins && id < so_far->sphere;
+        return (loop.lower_wins && id < so_far->sphere) ||
+               (loop.higher_wins && id > so_far->sphere);
     }
     switch (loop.comparison) {
     case FARTHER:
@@ -289,6 +295,10 @@ ANSWERS(not_farther, looped(inputs, i, (Loop){.comparison = NOT_FARTHER}),
         "of two equally far spheres the later one won, and of misses, too: t <= hit->t",
         MISTAKE_LATER_OF_EQUALS)
 
+ANSWERS(higher_wins, looped(inputs, i, (Loop){.higher_wins = 1}),
+        "of two equally far spheres the one with the higher id won: the lower one is to")
+ANSWERS(or_lower, looped(inputs, i, (Loop){.comparison = OR_LOWER}),
+        "a sphere with a lower id won, however far: ids count at equal distances only")
 ANSWERS(lower_too, looped(inputs, i, (Loop){.comparison = LOWER_TOO}),
         "a nearer sphere wins whatever its id: ids count at equal distances only")
 
@@ -333,7 +343,8 @@ static const Known *const known[] = {&miss_taken,      &longest,         &hair,
                                      &asked_kept,      &asked_kept_low,  &kept_low,
                                      &from_start,      &from_start_low,  &keeps_start,
                                      &keeps_start_low, &first_ends,      &first_ends_low,
-                                     &t_kept_in_loop,  &t_kept_low,      &lower_too};
+                                     &t_kept_in_loop,  &t_kept_low,      &lower_too,
+                                     &higher_wins,     &or_lower};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -176,6 +176,16 @@ ANSWERS(inside_near, chosen_by(in, NEAR_BIT, FAR_BIT, NEAR_BIT, NEAR_BIT),
         MISTAKE_FAR_CHILD)
 ANSWERS(inside_far, chosen_by(in, NEAR_BIT, FAR_BIT, FAR_BIT, NEAR_BIT),
         "that is as if only the far child were met: a plane between t_min and t_max is BOTH")
+ANSWERS(beyond_far, chosen_by(in, NEAR_BIT, FAR_BIT, BOTH_BIT, FAR_BIT),
+        "a plane beyond t_max leaves the near child, not the far one")
+ANSWERS(behind_far, chosen_by(in, FAR_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
+        "a plane behind the eye leaves the near child, not the far one")
+
+// Of the plane behind the eye, before the part, in it and beyond it: 3 choices each.
+ANY(other_choices, 81,
+    IS_FOUND(chosen_by(in, 1u << way % 3, 1u << way / 3 % 3, 1u << way / 9 % 3, 1u << way / 27)),
+    "in more than one of the README's four cases the choice is another: the plane behind the eye, "
+    "before the part, in it, beyond it")
 ANSWERS(at_t_min, children_but(in, IS_AT(in->t_min), FAR_BIT),
         "a plane exactly at t_min is met: equal to t_min is BOTH")
 ANSWERS(at_t_max, children_but(in, IS_AT(in->t_max), NEAR_BIT),
@@ -259,6 +269,10 @@ EACH(from_zero, is_met_at(in, found, t_from(in, 0)), "t_split is computed withou
 ANSWERS(always_both, children_but(in, 1, BOTH_BIT),
         "that is as if every plane were met: where it is behind the eye, beyond t_max or before "
         "t_min, the ray meets one child only")
+EACH(origin_added, is_met_at(in, found, t_from(in, -(double)in->origin)),
+     "t_split is computed with the origin added: it is taken from the plane's position")
+EACH(not_multiplied, is_met_at(in, found, (double)in->node.split_pos - in->origin),
+     "t_split is the way to the plane, not yet times 1 / direction")
 EACH(moved, is_same(found, clamped_first(in)),
      "t_split was moved into [t_min, t_max] before it was compared: then every plane ahead is met")
 
@@ -266,12 +280,16 @@ ANSWERS(t_other, children(in),
         "the choices are right, but t_split is not: is it by the README's formula?")
 
 static const Known *const known[] = {
-    &unset,        &t_other,         &swapped,      &behind_crossed, &behind_met, &at_eye_met,
-    &beyond_both,  &crossed_both,    &crossed_near, &inside_near,    &inside_far, &at_t_min,
-    &at_t_max,     &along_both,      &along_far,    &infinite_both,  &along_met,  &small_is_along,
-    &hair_ahead,   &hair_behind,     &hair_t_min,   &hair_t_max,     &hair_wider, &backwards,
-    &divided,      &from_zero,       &moved,        &always_both,    &lost_afar,  &behind_late,
-    &at_both_ends, &at_both_ends_nan};
+    &unset,         &t_other,        &swapped,       &behind_crossed,
+    &behind_met,    &at_eye_met,     &beyond_both,   &crossed_both,
+    &crossed_near,  &inside_near,    &inside_far,    &at_t_min,
+    &at_t_max,      &along_both,     &along_far,     &infinite_both,
+    &along_met,     &small_is_along, &hair_ahead,    &hair_behind,
+    &hair_t_min,    &hair_t_max,     &hair_wider,    &backwards,
+    &divided,       &from_zero,      &moved,         &always_both,
+    &lost_afar,     &behind_late,    &at_both_ends,  &at_both_ends_nan,
+    &beyond_far,    &behind_far,     &other_choices, &origin_added,
+    &not_multiplied};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

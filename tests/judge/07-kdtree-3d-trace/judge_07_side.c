@@ -58,6 +58,20 @@ static u32 away_from_plane(const SideJob *in)
 }
 
 ANSWERS(far_side, other_side(near_side(in)), "that is the far side: near and far are swapped")
+
+// A side for an eye below, above, and on the plane: LOWER, UPPER, or by the direction, 2, or
+// against it, 3.
+static u32 side_by(const SideJob *in, int below, int above, int on)
+{
+    const int by = in->origin < in->node.split_pos   ? below
+                   : in->origin > in->node.split_pos ? above
+                                                     : on;
+    return by <= UPPER ? (u32)by : is_along(in) ? EITHER : (in->inverse > 0) == (by == 2);
+}
+
+ANY(other_sides, 64, IS_FOUND(side_by(in, way % 4, way / 4 % 4, way / 16)),
+    "an eye below the plane is on side 0, an eye above it on side 1, whatever the direction: for "
+    "one of them, or both, it is another")
 ANSWERS(coming_from, by_direction(in, in->inverse < 0),
         "that is as if the direction decided, wherever the eye is")
 ANSWERS(going_to, by_direction(in, in->inverse > 0),
@@ -91,9 +105,13 @@ ONLY(hair, from_plane(in) > 0 && from_plane(in) < (float)HAIR,
 ONLY(small, from_plane(in) == 0 && (fabsf(in->inverse) < (float)HAIR || fabsf(in->inverse) > 1000),
      "only the sign of the direction counts, however small or large it is")
 
-static const Known *const known[] = {&far_side,       &coming_from,    &going_to, &plane_is_lower,
-                                     &plane_is_upper, &plane_is_other, &child_id, &away,
-                                     &whole,          &along,          &hair,     &small};
+ONLY(on_plane_only, from_plane(in) == 0,
+     "only eyes on the plane are wrong: there the sign of inverse decides, and nothing else")
+
+static const Known *const known[] = {&far_side,       &other_sides,    &coming_from,    &going_to,
+                                     &plane_is_lower, &plane_is_upper, &plane_is_other, &child_id,
+                                     &away,           &whole,          &along,          &hair,
+                                     &small,          &on_plane_only};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

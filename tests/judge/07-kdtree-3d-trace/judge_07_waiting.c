@@ -90,14 +90,14 @@ ANSWERS(any_hit, ended_if(in, in->t < INFINITY),
         "may hide")
 ANSWERS(never_ends, ended_if(in, 0),
         "that is as if the search did not end before the stack is empty")
-ANSWERS(inverted, ended_if(in, !IS_END),
-        "that is as if the search went on where it has found a hit, and ended where it has not: "
-        "the comparison with t_max is inverted")
+ANY(inverted, 2, IS_FOUND(ended_if(in, way ? in->t > in->at.t_max : !IS_END)),
+    "that is as if the search went on where it has found a hit, and ended where it has not: "
+    "the comparison with t_max is inverted")
 ANSWERS(at_t_max, ended_if(in, in->t <= in->at.t_max),
         "a hit exactly at t_max must not end the search: a sphere that only the next leaf lists "
         "may be just as far away")
-ANSWERS(at_t_min, ended_if(in, in->t < in->at.t_min),
-        "that is as if the hit were compared with the leaf's t_min: its t_max counts")
+ANY(at_t_min, 2, IS_FOUND(ended_if(in, way ? in->t <= in->at.t_min : in->t < in->at.t_min)),
+    "that is as if the hit were compared with the leaf's t_min: its t_max counts")
 // After it was taken from the stack.
 static int ends_in_next(const NextWaitingJob *in)
 {
@@ -125,6 +125,12 @@ static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float 
     return answer;
 }
 
+static NextWaitingAnswer with_at(NextWaitingAnswer answer, TodoEntry at)
+{
+    answer.at = at;
+    return answer;
+}
+
 static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
 {
     answer.todo.n++;
@@ -148,17 +154,21 @@ ANSWERS(t_min_kept, with_part(WAITING, in->at.t_min, WAITING.at.t_max),
         "that is as if t_min were not taken from the stack with the node")
 ANSWERS(oldest, taken(in, IS_END, 0),
         "that is as if the node that waits longest came from the stack first")
+ANSWERS(not_handed_on, with_at(WAITING, in->at),
+        "what was taken from the stack did not become *at: the search goes on with the same leaf")
+ANSWERS(nothing_taken, ((NextWaitingAnswer){WAITING.goes_on, in->at, in->todo}),
+        "nothing was taken from the stack: the search goes on with the same leaf")
 ANSWERS(stays, with_one_more(WAITING), "the node is not taken off the stack: it waits still")
 EACH(above_top,
      WAITING.goes_on ? found->goes_on && found->todo.n == WAITING.todo.n &&
-                           !is_waiting(&in->todo, found->at.node)
+                           found->at.node != in->at.node && !is_waiting(&in->todo, found->at.node)
                      : !found->goes_on,
      "what was taken is none of the entries that wait: the top one is todo->entries[todo->n - 1]")
 
-static const Known *const known[] = {&any_hit,  &never_ends,   &inverted,   &at_t_max,
-                                     &at_t_min, &before_t_min, &one_left,   &swapped,
-                                     &hair,     &part_kept,    &t_max_kept, &t_min_kept,
-                                     &oldest,   &stays,        &above_top,  &by_next};
+static const Known *const known[] = {
+    &any_hit,  &never_ends, &inverted,  &at_t_max,  &at_t_min,      &before_t_min,
+    &one_left, &swapped,    &hair,      &part_kept, &t_max_kept,    &t_min_kept,
+    &oldest,   &stays,      &above_top, &by_next,   &not_handed_on, &nothing_taken};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

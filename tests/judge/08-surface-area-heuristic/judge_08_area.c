@@ -66,6 +66,38 @@ static int has_square(BBox3D in, double found)
 
 EACH(square, has_square(in, found),
      "a side is multiplied by itself: a face has two sides on different axes")
+
+// One length is another difference, or a sum, of two of the six coordinates.
+static double end_of(BBox3D in, int k)
+{
+    return k < 3 ? in.max[k] : in.min[k - 3];
+}
+
+static double with_length(BBox3D in, int way)
+{
+    const double a = end_of(in, way / 3 % 6), b = end_of(in, way / 18 % 6);
+    double sides[3] = {X, Y, Z};
+    sides[way % 3] = way < 108 ? a - b : a + b;
+    return area_of(sides[0], sides[1], sides[2]);
+}
+
+ANY(other_length, 216, IS_FOUND(with_length(in, way)),
+    "one length is not its axis' maximum minus its minimum: something else is computed")
+
+// A bit for each of the three products: taken off, or divided.
+static double with_faces(BBox3D in, int way)
+{
+    const double a[] = {X, Y, Z}, b[] = {Y, Z, X};
+    double sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const int is_other = way >> k & 1;
+        sum += is_other && way >= 8 ? a[k] / b[k] : is_other ? -a[k] * b[k] : a[k] * b[k];
+    }
+    return 2 * sum;
+}
+
+ANY(other_faces, 16, IS_FOUND(with_faces(in, way)),
+    "of each pair of axes the two lengths are multiplied, and the three products added")
 // What a number beyond 32 bits is as a whole one, C leaves open.
 EACH(whole_lengths, fmax(fmax(X, Y), Z) > 0x1p30 || IS_FOUND(area_of(trunc(X), trunc(Y), trunc(Z))),
      "the lengths were cut to whole numbers")
@@ -92,10 +124,10 @@ ONLY(large_lost, LONGEST > 0x1p60 && !isfinite(found),
      "in float a large box overflows: lengths and area are to be double")
 
 static const Known *const known[] = {
-    &one_side,   &without_x, &without_y, &without_z,       &one_twice,         &cube,
-    &edges,      &lengths,   &volume,    &flat_is_nothing, &flat_has_one_side, &whole_lengths,
-    &whole_area, &from_zero, &other_min, &signs,           &small_lost,        &large_lost,
-    &two_once,   &square};
+    &one_side,   &without_x, &without_y,    &without_z,       &one_twice,         &cube,
+    &edges,      &lengths,   &volume,       &flat_is_nothing, &flat_has_one_side, &whole_lengths,
+    &whole_area, &from_zero, &other_min,    &signs,           &small_lost,        &large_lost,
+    &two_once,   &square,    &other_length, &other_faces};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

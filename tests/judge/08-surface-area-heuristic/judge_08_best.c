@@ -328,6 +328,25 @@ EACH(nan_is_taken, sah_area(in.box) > 0 ? is_best(job, i, answers) : isnan(found
 ONLY(many_lost, i == MANY_NODE,
      "only the node with the most spheres is wrong: a bin holds more of them than 16 bits count")
 
+// Of whatever search: is the plane that was found a candidate, and the cost that of this plane?
+typedef enum Kept { NO_PLANE, OTHER_COST, RIGHT_COST } Kept;
+static Kept kept_of(const Job08 *job, int i, BestAnswer found)
+{
+    const SahNode node = node_of(job, i);
+    const int number = found.axis < 3 ? sah_plane_number(node.box, found.axis, found.pos) : 0;
+    const double cost = number > 0 ? sah_weigh(&node, found.axis, number).cost : 0;
+    return number == 0                                                 ? NO_PLANE
+           : fabs(found.cost - cost) > SAH_COST_TOLERANCE * fabs(cost) ? OTHER_COST
+                                                                       : RIGHT_COST;
+}
+
+ONLY(not_cheapest, kept_of(job, i, found) == RIGHT_COST,
+     "the cost is that of the plane that is kept, but another plane is cheaper: it is not asked, "
+     "or not kept")
+ONLY(miscounted, kept_of(job, i, found) != NO_PLANE,
+     "the cost that is kept is not always that of the plane that is kept: in its children too many "
+     "or too few spheres are counted, or it is another plane's")
+
 static const Known *const known[] = {
     &longest_only,   &no_z,         &no_y,           &only_x,          &no_first,
     &no_last,        &border,       &stops_rising,   &no_empty,        &below_leaf,
@@ -338,7 +357,7 @@ static const Known *const known[] = {
     &ends_late,      &ends_early,   &begins_late,    &begins_early,    &all_early,
     &all_late,       &higher_keeps, &rest_is_higher, &unnamed,         &carried_over,
     &nan_is_taken,   &many_lost,    &ended_counted,  &pos_lost,        &axis_lost,
-    &plane_lost};
+    &plane_lost,     &not_cheapest, &miscounted};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

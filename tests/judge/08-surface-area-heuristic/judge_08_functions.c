@@ -151,6 +151,29 @@ ANSWERS(empty_saves_step, with_bonus(job, in, 0, 1), "the step is paid where a c
 ANSWERS(none_saves_step, N_L + N_H == 0 ? 0 : COST,
         "the step is paid where both children are empty, too")
 
+ANSWERS(empty_is_missed, N_L == 0 || N_H == 0 ? with_tests(N_L + N_H) : COST,
+        "with one child empty all spheres of the other were counted in full: a ray meets it only "
+        "with the probability area over area, too")
+ANSWERS(mean_area, with_tests((L + H) / 2 * (N_L + N_H) / A),
+        "each child's area goes with its own spheres, not a mean area with all of them")
+ANSWERS(taken_off, SAH_TRAVERSAL - SAH_TEST * TESTS, "the step and the tests add up")
+ANSWERS(multiplied_by_cell, with_tests(TESTS *A *A),
+        "that is multiplied by the area of the cell, and is to be divided by it")
+
+// Of the fraction each part is another: an area, a number of spheres; their difference.
+static double fraction_of(const Job *job, CostJob in, int way)
+{
+    const double areas[] = {L, H, A}, counts[] = {N_L, N_H, N_L + N_H},
+                 divisors[] = {A, L + H, 1, L, H};
+    const double lower = areas[way % 3] * counts[way / 3 % 3],
+                 higher = areas[way / 9 % 3] * counts[way / 27 % 3];
+    return (way / 81 % 2 ? lower - higher : lower + higher) / divisors[way / 162];
+}
+
+ANY(other_fraction, 810, IS_FOUND(with_tests(fraction_of(job, in, way))),
+    "each child's area times its own spheres, both added and divided by the cell's area: one of "
+    "these parts is another")
+
 // All with more spheres in a child than that are wrong, and no others.
 #define IS_LOST_ABOVE(count)                                                                       \
     ((in.n_lower > (count) || in.n_higher > (count)) != is_cost(job, i, answers))
@@ -160,13 +183,14 @@ EACH(lost_short, IS_LOST_ABOVE(UINT16_MAX),
      "only splits of many spheres are wrong: 16 bits do not hold their count")
 
 static const Known *const cost_known[] = {
-    &by_edges,          &by_volume,      &both_in_full,     &no_traversal,    &no_test,
-    &constants_swapped, &no_division,    &counts_swapped,   &shares_of_sum,   &no_both,
-    &higher_is_rest,    &lower_uncut,    &higher_uncut,     &cut_across_x,    &one_at_least,
-    &whole_tests,       &all_multiplied, &lower_tests,      &lower_only,      &higher_only,
-    &flat_is_missed,    &bonus,          &empty_saves_step, &none_saves_step, &lost_signed,
-    &lost_short,        &both_lower,     &both_higher,      &all_in_both,     &lower_undivided,
-    &higher_undivided,  &mean,           &two_steps,        &all_divided};
+    &by_edges,          &by_volume,      &both_in_full,       &no_traversal,    &no_test,
+    &constants_swapped, &no_division,    &counts_swapped,     &shares_of_sum,   &no_both,
+    &higher_is_rest,    &lower_uncut,    &higher_uncut,       &cut_across_x,    &one_at_least,
+    &whole_tests,       &all_multiplied, &lower_tests,        &lower_only,      &higher_only,
+    &flat_is_missed,    &bonus,          &empty_saves_step,   &none_saves_step, &lost_signed,
+    &lost_short,        &both_lower,     &both_higher,        &all_in_both,     &lower_undivided,
+    &higher_undivided,  &mean,           &two_steps,          &all_divided,     &empty_is_missed,
+    &mean_area,         &taken_off,      &multiplied_by_cell, &other_fraction};
 
 // ---- split_cost: answers ------------------------------------------------------------------------
 
@@ -271,12 +295,44 @@ EACH(both_cut,
          IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= trunc(LEAF_COST)),
      COST_CUT)
 
+// One of the comparisons is another; or a leaf's cost is.
+static int compares(double a, double b, int way)
+{
+    const int holds[] = {a<b, a <= b, a> b, a >= b, a == b, a != b};
+    return holds[way];
+}
+
+#define TARGET ((double)in.targetElementsPerNode)
+ANY(other_depth, 6, IS_FOUND(compares(in.level, in.maxDepth, way) || IS_SMALL || IS_DEAR),
+    "the level is compared with maxDepth in another way: from maxDepth on a node is a leaf")
+ANY(other_target, 6, IS_FOUND(IS_DEEP || compares(in.n_spheres, TARGET, way) || IS_DEAR),
+    "the spheres are compared with targetElementsPerNode in another way: up to so many are a leaf")
+ANY(other_cost, 6, IS_FOUND(IS_DEEP || IS_SMALL || compares(in.best_cost, LEAF_COST, way)),
+    "the costs are compared in another way: where a split is not cheaper than the leaf, it is one")
+
+static double other_leaf_cost(LeafCostJob in, int way)
+{
+    const double n = in.n_spheres;
+    const double costs[] = {SAH_TRAVERSAL * n,
+                            SAH_TRAVERSAL + SAH_TEST,
+                            SAH_TEST + n,
+                            SAH_TEST,
+                            (SAH_TRAVERSAL + SAH_TEST) * n,
+                            SAH_TEST * TARGET,
+                            SAH_TEST * in.level,
+                            SAH_TEST / n};
+    return costs[way];
+}
+
+ANY(other_leaf, 8, IS_FOUND(IS_DEEP || IS_SMALL || in.best_cost >= other_leaf_cost(in, way)),
+    "a leaf costs KD_COST_TEST for each of its spheres: the split is compared with something else")
+
 static const Known *const leaf_known[] = {
-    &level_more,     &level_less,     &fewer,         &equal_is_split, &no_depth,
-    &no_target,      &no_cost,        &leaf_steps,    &tests_cost_1,   &reversed,
-    &both_limits,    &is_signed,      &leaf_cut,      &split_cut,      &both_cut,
-    &level_equal,    &target_equal,   &both_strict,   &split_steps,    &all_must,
-    &limit_and_cost, &small_and_dear, &deep_and_dear, &inverted,       &limits_swapped};
+    &level_more,     &level_less,  &fewer,          &equal_is_split, &no_depth,      &no_target,
+    &no_cost,        &leaf_steps,  &tests_cost_1,   &reversed,       &both_limits,   &is_signed,
+    &leaf_cut,       &split_cut,   &both_cut,       &level_equal,    &target_equal,  &both_strict,
+    &split_steps,    &all_must,    &limit_and_cost, &small_and_dear, &deep_and_dear, &inverted,
+    &limits_swapped, &other_depth, &other_target,   &other_cost,     &other_leaf};
 
 // ---- is_leaf_by_cost: answers -------------------------------------------------------------------
 

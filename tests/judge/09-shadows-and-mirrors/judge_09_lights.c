@@ -116,6 +116,7 @@ typedef struct SeenLight {
     double distance;     // scene units
     double brightest;    // channel of it
     double by_position;  // its position's part along the normal, as if that were the way to it
+    double by_point;     // the same of the point
     int is_before;       // the surface
     int is_free;         // nothing stands between
     int is_free_beyond;  // nor behind the light
@@ -139,7 +140,8 @@ static SeenLight see(const Job09 *job, const LitJob *lit, const Light *light, in
     SeenLight seen = {.share = oracle3d_shade(point, normal, &lit->material, light, 1, &right),
                       .distance = vector_length(way),
                       .brightest = fmax(fmax(light->color.x, light->color.y), light->color.z),
-                      .by_position = vector_dot(normal.value, position)};
+                      .by_position = vector_dot(normal.value, position),
+                      .by_point = vector_dot(normal.value, point.value)};
     seen.cosine = vector_dot(normal.value, way) / seen.distance;
     seen.is_before = seen.cosine > 0;
     if (job->job.is_alone) {
@@ -281,6 +283,9 @@ SUMS(all_by_first_ray, arrives(&all->each[0]) && IS_ONE,
 SUMS(side_by_position, IS_ONE && light->is_free && light->by_position > 0,
      "before the surface or behind it is asked with the light's position: the way to it begins at "
      "the point")
+SUMS(side_by_point, ARRIVES && light->by_point > 0,
+     "before the surface or behind it is asked with the point: it takes the direction to the light")
+SUMS(taken_off, -ARRIVES, "the lights' shares are taken off: they are added")
 SUMS(dark_left_out, ARRIVES && light->brightest >= 0x1p-10,
      "a dark light is left out: where much of it is scattered, it shows")
 SUMS(little_kd_lost, ARRIVES && in->material.kd >= 0x1p-10f,
@@ -341,7 +346,7 @@ static const Known *const known[] = {
     &dark_left_out, &little_kd_lost, &grazing_5,     &grazing_9,        &grazing_15,
     &mean,          &falling,        &cosine_twice,  &kd_twice,         &adds_all,
     &adds_rest,     &share_of_first, &last_arriving, &color_twice,      &cut,
-    &side_inverted};
+    &side_inverted, &side_by_point,  &taken_off};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

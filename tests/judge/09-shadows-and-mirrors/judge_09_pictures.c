@@ -20,6 +20,9 @@ typedef struct Mistake09 {
 #define NOTHING_NEAR                                                                               \
     "drawn as if mirrored rays hit nothing near: they start at the surface's point, and t_min "    \
     "stays as it is"
+#define FOLLOWED_TOO_FAR                                                                           \
+    "drawn without the cut-off, or with one a ray too late: is the weight compared with "          \
+    "LEAST_WEIGHT, and after ks has made it less?"
 #define LESS_FOLLOWED                                                                              \
     "drawn as if the end were above LEAST_WEIGHT: light that counts a little more is followed, "   \
     "too"
@@ -76,8 +79,8 @@ static const Mistake09 mistakes[] = {
     AT_MOST("128", 128),
     {{.says = "drawn as if a mirror that no light reaches were the end: it mirrors all the same"},
      {.dark_ends = 1}},
-    {{.says = "drawn without the cut-off: light was followed that counts less than LEAST_WEIGHT"},
-     {.no_cut_off = 1}},
+    {{.says = FOLLOWED_TOO_FAR}, {.no_cut_off = 1}},
+    {{.says = FOLLOWED_TOO_FAR}, {.cut_off_late = 1}},
     // Where weights are just the least both look the same: a larger end shows in scenes before.
     {{.says = "drawn as if a weight of LEAST_WEIGHT itself were the end: it goes on"},
      {.least_ends = 1}},

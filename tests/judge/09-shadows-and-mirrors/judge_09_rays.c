@@ -119,14 +119,26 @@ ANSWERS(by_coordinate, vector_minus(D, vector_scaled(2, product(D, product(N, N)
 ANSWERS(dot_without_z, vector_minus(D, vector_scaled(TURNS - 2 * D.z * N.z, N)),
         "z is missing in the dot product")
 
+// The number that turns round, or half of it, taken from each coordinate or added to it.
+static OracleVector less_number(OracleVector direction, double number)
+{
+    return vector_minus(direction, (OracleVector){number, number, number});
+}
+
+ANY(number, 4, IS_FOUND(less_number(D, TURNS *(way < 2 ? 1 : 0.5) * (way % 2 ? -1 : 1))),
+    "one number is taken from each coordinate: what turns round is a vector along the normal")
+ANY(other_multiple, 16, IS_FOUND(vector_plus(D, vector_scaled((way - 8) * TURNS / 2, N))),
+    "its part along the normal turns round if it is taken off twice: here it is another multiple")
+
 // A ray that grazes a mirror by no more than that is taken for one along it by an epsilon.
 #define GRAZING 0.0625
 ONLY(flat_goes_on, fabs(vector_dot(D, N)) < GRAZING && IS_FOUND(D),
      "a ray that grazes the mirror is mirrored, too, without an epsilon")
 
 static const Known *const turns[] = {
-    &turned_round,    &straight_on,  &back,       &along_surface, &along_normal,  &part_added,
-    &normal_mirrored, &along_itself, &part_alone, &by_coordinate, &dot_without_z, &flat_goes_on,
+    &turned_round,  &straight_on,     &back,         &along_surface,  &along_normal,
+    &part_added,    &normal_mirrored, &along_itself, &part_alone,     &by_coordinate,
+    &dot_without_z, &flat_goes_on,    &number,       &other_multiple,
 };
 
 static char *describe_mirror(const void *pointer, int i, const void *answers)
@@ -234,11 +246,18 @@ EACH(to_position,
      "that is the light's position, not the way to it")
 ANSWERS(by_largest, 1 / largest_of(way_of(in)),
         "it is divided by its largest coordinate: by its length it becomes a unit vector")
+EACH(added,
+     is_scaled(found,
+               1 / vector_length(vector_plus(vector_of(in->light.position), vector_of(in->point))),
+               vector_plus(vector_of(in->light.position), vector_of(in->point))),
+     "the point is added to the light's position: the way is the light minus the point")
+EACH(multiplied, is_scaled(found, vector_length(way_of(in)), way_of(in)),
+     "the way is multiplied by its length: divided by it, it becomes a unit vector")
 ANSWERS(by_square_of_way, 1 / vector_dot(way_of(in), way_of(in)),
         "the way is divided by its square: by its length it becomes a unit vector")
 
-static const Known *const directions[] = {&reversed, &not_unit, &to_position, &by_largest,
-                                          &by_square_of_way};
+static const Known *const directions[] = {&reversed,         &not_unit, &to_position, &by_largest,
+                                          &by_square_of_way, &added,    &multiplied};
 const Function ray_direction_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
                                    KNOWING(goes_to_light, describe_ray, directions)};
 #undef IS_FOUND

@@ -163,6 +163,29 @@ ANSWERS(with_sign, with_point(in, largest_with_sign(in->point)), SIZE_FIRST)
 ANSWERS(size_late, with_point(in, fabs(largest_with_sign(in->point))), SIZE_FIRST)
 ANSWERS(sign_of_z, with_point(in, fmax(larger(in->point.x, in->point.y), in->point.z)), SIZE_FIRST)
 
+// Of two of the coordinates the larger, or the smaller, and so on with the third; with its sign or
+// without, a bit for each.
+static double by_way(Vec3 p, int way)
+{
+    const double x = way & 4 ? p.x : fabs(p.x), y = way & 8 ? p.y : fabs(p.y),
+                 z = way & 16 ? p.z : fabs(p.z);
+    const double two = way & 1 ? fmin(x, y) : fmax(x, y);
+    return way & 2 ? fmin(two, z) : fmax(two, z);
+}
+
+ANY(other_largest, 32, IS_FOUND(with_point(in, by_way(in->point, way))),
+    "of the sizes of all three coordinates the largest counts: here it is another number")
+
+// A bit for each of the three numbers: taken off.
+static double with_signs(const StartJob *in, int way)
+{
+    return offset_by(way & 1 ? -in->t : in->t, size_of(in->radius) * (way & 2 ? -1 : 1),
+                     largest_of(in->point) * (way & 4 ? -1 : 1));
+}
+
+ANY(taken_off, 8, IS_FOUND(with_signs(in, way)),
+    "one of the three numbers is taken off: all are added")
+
 // Where the point comes to when each coordinate moves by its own size.
 static int is_moved_by_coordinate(const StartJob *in, Vec3 found)
 {
@@ -214,13 +237,13 @@ ONLY(same_distance, all_are_moved_along(job, answers, surest_distance(job, answe
 ONLY(least_distance, is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
      "never less than a fixed distance: that is too much where the numbers are small")
 
-static const Known *const known[] = {&unmoved,       &other_side,     &half,        &largest,
-                                     &by_sum,        &by_size_of_sum, &by_smallest, &by_mean,
-                                     &without_x,     &without_y,      &without_z,   &with_sign,
-                                     &size_late,     &sign_of_z,      &one_share,   &by_coordinate,
-                                     &signed_radius, &unsigned_sum,   &without_t,   &without_radius,
-                                     &without_point, &only_t,         &only_radius, &only_point,
-                                     &same_distance, &least_distance, &too_far,     &product};
+static const Known *const known[] = {
+    &unmoved,        &other_side,    &half,         &largest,       &by_sum,
+    &by_size_of_sum, &by_smallest,   &by_mean,      &without_x,     &without_y,
+    &without_z,      &with_sign,     &size_late,    &sign_of_z,     &one_share,
+    &by_coordinate,  &signed_radius, &unsigned_sum, &without_t,     &without_radius,
+    &without_point,  &only_t,        &only_radius,  &only_point,    &same_distance,
+    &least_distance, &too_far,       &product,      &other_largest, &taken_off};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

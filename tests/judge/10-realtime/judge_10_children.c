@@ -305,6 +305,64 @@ ANSWERS(far_dropped, ((NextChildAnswer){CHILD.next, in->todo}),
 ANSWERS(both_wait, MET == BOTH_CHILDREN ? with_waiting(CHILD, NEAR) : CHILD,
         "the near child is visited next, and must not wait as well")
 
+// What is added to node.first: the side, the other one, always the same, too much, too little, or
+// by an eye on the plane that counts to the upper side.
+static u32 child_by(const TileChildJob *in, u32 added, int way)
+{
+    const u32 on_plane = in->eye == in->node.split_pos;
+    const u32 by[] = {added, !added, 0, 1, 2 * added, -added, added ^ on_plane};
+    return in->node.first + by[way];
+}
+
+ANY(one_child, 49,
+    IS_FOUND(with_ids(in, child_by(in, SIDE, way % 7), child_by(in, !SIDE, way / 7))),
+    "near and far child are not the two: the near one is on the eye's side, the far one is the "
+    "other")
+
+static int compares(float a, float b, int way)
+{
+    return way == 0 ? a > b : way == 1 ? a >= b : way == 2 ? a < b : a <= b;
+}
+
+#define COMPARES(way) compares(way & 1 ? HIGH : LOW, way & 2 ? T_MIN : T_MAX, way >> 2)
+ANY(other_beyond, 16, IS_FOUND(child(in, SIDE, met(COMPARES(way), IS_BEFORE))),
+    "the near child alone is visited if the least t_split is beyond t_max: something else is "
+    "compared")
+ANY(other_before, 16, IS_FOUND(child(in, SIDE, met(IS_BEYOND, COMPARES(way)))),
+    "the far child alone is visited if the greatest t_split is before t_min: something else is "
+    "compared")
+
+// A part that is another: two of all ends that there are, of one child or the other.
+enum { N_ENDS = 8, N_PARTS = 2 * N_ENDS * N_ENDS };
+static TodoEntry part_by(const TileChildJob *in, u32 side, int way)
+{
+    const float ends[N_ENDS] = {T_MIN,
+                                T_MAX,
+                                LOW,
+                                HIGH,
+                                fminf(T_MAX, HIGH),
+                                fmaxf(T_MIN, LOW),
+                                fminf(T_MIN, LOW),
+                                fmaxf(T_MAX, HIGH)};
+    return (TodoEntry){in->node.first + (side ^ (u32)way / (N_ENDS * N_ENDS)),
+                       ends[way / N_ENDS % N_ENDS], ends[way % N_ENDS]};
+}
+
+static NextChildAnswer one_by(const TileChildJob *in, int children, int way)
+{
+    const TodoEntry part = part_by(in, children == FAR_ONLY ? !SIDE : SIDE, way);
+    return MET == children ? visited(in, MET, part, part) : CHILD;
+}
+
+#define BOTH_PARTS                                                                                 \
+    "where both children are met the near one's part ends at the greatest t_split, the far one's " \
+    "begins at the least, and neither grows: child or part is another"
+#define WHOLE_PART "where one child alone is met it gets the whole part: child or part is another"
+ANY(near_part, N_PARTS, IS_FOUND(parted(in, part_by(in, SIDE, way), FAR)), BOTH_PARTS)
+ANY(far_part, N_PARTS, IS_FOUND(parted(in, NEAR, part_by(in, !SIDE, way))), BOTH_PARTS)
+ANY(only_near_part, N_PARTS, IS_FOUND(one_by(in, NEAR_ONLY, way)), WHOLE_PART)
+ANY(only_far_part, N_PARTS, IS_FOUND(one_by(in, FAR_ONLY, way)), WHOLE_PART)
+
 static const Known *const known[] = {
     &swapped,       &lower_is_near,    &eye_is_upper,    &is_side,         &by_bit,
     &always_waits,  &never_skipped,    &far_is_near,     &one_at_ends,     &near_at_t_max,
@@ -314,7 +372,8 @@ static const Known *const known[] = {
     &far_widened,   &both_uncut,       &both_whole,      &both_widened,    &far_ends,
     &far_cut_too,   &parts_swapped,    &far_from_high,   &far_from_end,    &both_always,
     &always_whole,  &always_uncut,     &far_alone,       &near_alone,      &far_dropped,
-    &both_wait,     &parts_crossed};
+    &both_wait,     &parts_crossed,    &one_child,       &other_beyond,    &other_before,
+    &near_part,     &far_part,         &only_near_part,  &only_far_part};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

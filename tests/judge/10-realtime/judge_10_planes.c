@@ -287,6 +287,33 @@ ANSWERS(never_for_all, ends_if(in, isinf(ENDS.low) || isinf(ENDS.high), INFINITY
 ANSWERS(parallel_any, ends_if(in, in->low == in->high, 0, INFINITY), PARALLEL)
 ANSWERS(parallel_slow, ends_if(in, in->low == in->high && IS_SLOW, 0, INFINITY), PARALLEL)
 
+// For an eye below or above, one of the two ends is another: the way divided by one of the two
+// directions, if one of them is above 0 or below, or may be 0, or in any case.
+static Ends with_end(const TilePlaneJob *in, int way)
+{
+    const int of_lower = way & 1, of_high = way >> 1 & 1, by_high = way >> 2 & 1,
+              asks_high = way >> 3 & 1, if_not_0 = way >> 4 & 1, condition = way >> 5;
+    const double direction = asks_high ? in->high : in->low;
+    const int meets[] = {direction > 0, direction >= 0, direction < 0, direction <= 0, 1, 0};
+    const double end = meets[condition]
+                           ? ((double)in->plane - in->eye) / (by_high ? in->high : in->low)
+                       : if_not_0 ? 0
+                                  : INFINITY;
+    const Ends ends = ENDS;
+    return of_lower != IS_LOWER ? ends : of_high ? (Ends){ends.low, end} : (Ends){end, ends.high};
+}
+
+// 0 divided by 0 comes out as the student's comparisons have it.
+ANY(other_end, 6 * 32,
+    IS_FOUND(with_end(in, way)) || isnan(with_end(in, way).low) || isnan(with_end(in, way).high),
+    "one of the ends is wrong, for an eye on one side of the plane: each is the way divided by its "
+    "own direction if that leads to the plane, and else INFINITY")
+ANY(other_side, 2, IS_FOUND(from_side(in, right, way ? in->eye > in->plane : in->eye >= in->plane)),
+    "the eye's side is inverted: from below the rays that go up meet the plane, from above those "
+    "that go down")
+MEETS(eye_added, meets ? ((double)in->plane + in->eye) / direction : INFINITY,
+      "the way is the plane minus the eye, not their sum")
+
 // Only the first ray was asked whether it meets the plane: the last one's distance is a quotient.
 static Ends last_unasked(const TilePlaneJob *in)
 {
@@ -308,7 +335,7 @@ static const Known *const known[] = {
     &one_end,          &eye_never,      &eye_at_0,        &eye_from_0,
     &eye_is_upper,     &eye_near,       &eye_nearer,      &both_ways_never,
     &both_ways_always, &never_for_all,  &parallel_any,    &parallel_slow,
-    &unasked_last};
+    &unasked_last,     &other_end,      &other_side,      &eye_added};
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -303,9 +303,11 @@ static OracleNear follow(const Scene3D *scene, Followed *followed, int max_bounc
         }
         followed->first_ks =
             followed->n_bounces == 0 ? (double)at.material->ks : followed->first_ks;
+        const double weight_before = followed->weight;
         followed->weight = next_weight(followed, at.material, rules->weight);
         followed->last_ks = at.material->ks;
-        const double beyond = followed->weight - least_weight;
+        const double beyond =
+            (rules->cut_off_late ? weight_before : followed->weight) - least_weight;
         const int is_too_little = beyond < 0 || (beyond == 0 && rules->least_ends);
         const double error =
             followed->n_bounces == 0 ? 0 : weight_error(followed->n_bounces) * followed->weight;

@@ -49,6 +49,7 @@ typedef struct OracleMirrorRules {
     int no_cut_off;             // weights below the least are followed
     double least_weight;        // in the place of the least; 0: the right one
     int least_ends;             // and the least weight itself is not
+    int cut_off_late;           // the weight is compared before a hit's ks makes it less
     int mirrors_see_nothing;    // what is near to a mirror is not hit: t_min is too large
     double mirror_t_min;        // of mirrored rays, in the place of 0
     int background_unweighted;  // counts in full over mirrors

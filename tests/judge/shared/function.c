@@ -33,17 +33,28 @@ static int is_same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
-// Does a known mistake explain every answer of the range?
-static int is_known(const Function *function, const Known *known, const void *job, Range range,
-                    const void *answers)
+// Does a way of a known mistake explain every answer of the range?
+static int is_known_way(const Function *function, const Known *known, int way, const void *job,
+                        Range range, const void *answers)
 {
     int i = 0;
     while (i < range.n &&
-           (known->fits(job, range_at(range, i), answers) ||
+           (known->fits(job, range_at(range, i), answers, way) ||
             (known->is_only && function->is_right(job, range_at(range, i), answers)))) {
         i++;
     }
     return i == range.n;
+}
+
+// Does a known mistake?
+static int is_known(const Function *function, const Known *known, const void *job, Range range,
+                    const void *answers)
+{
+    int way = 0;
+    while (way < known->n_ways && !is_known_way(function, known, way, job, range, answers)) {
+        way++;
+    }
+    return way < known->n_ways;
 }
 
 // Are all answers the same, as where nothing was filled in?
@@ -59,15 +70,16 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
-// Does a mistake that says what an answer is (ANSWERS, EACH) explain every answer of a range?
-// *cause becomes the one that does. Returns how many do, with different sentences: 0, 1 or 2.
+// Does a mistake that says what an answer is (ANSWERS, EACH; of a family, ANY) explain every answer
+// of a range? *cause becomes the one that does. Returns how many do, with different sentences: 0, 1 or 2.
 static int count_answers(const Function *function, const void *job, Range range,
-                         const void *answers, Cause *cause)
+                         const void *answers, int is_family, Cause *cause)
 {
     int n = 0;
     for (int k = 0; n < 2 && k < function->n_known; k++) {
         const Known *known = function->known[k];
-        if (!known->is_only && is_known(function, known, job, range, answers) &&
+        if (!known->is_only && (known->n_ways > 1) == is_family &&
+            is_known(function, known, job, range, answers) &&
             (n == 0 || !is_same_text(cause->says, known->cause.says))) {
             *cause = known->cause;
             n++;
@@ -83,10 +95,13 @@ static Cause name_known(const Function *function, const void *job, Range range, 
 {
     const Range all = {.n = function->n};
     Cause cause = {0};
-    const int n = count_answers(function, job, range, answers, &cause);
-    if (n > 0) {
-        return n == 1 || count_answers(function, job, all, answers, &cause) == 1 ? cause
-                                                                                 : (Cause){0};
+    for (int is_family = 0; is_family <= 1; is_family++) {
+        const int n = count_answers(function, job, range, answers, is_family, &cause);
+        if (n > 0) {
+            const int is_one =
+                n == 1 || count_answers(function, job, all, answers, is_family, &cause) == 1;
+            return is_one ? cause : (Cause){0};
+        }
     }
     for (int k = 0; k < function->n_known; k++) {
         const Known *known = function->known[k];

@@ -7,10 +7,13 @@
 //       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
 //   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
 //       could the wrong answer `found` be of the mistake? Every wrong one must.
+//   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken")
+//       EACH for a family of mistakes with one sentence: `way` is 0 to 5, and one of them is it.
+//       It may contain others' mistakes, and what is right: it is named where no other is.
 //
 // "Every" is every answer of the function, in the ranges of all checks (but for is_known_by_range
 // of function.h): a sentence that is true in one check and not in another is not the cause.
-// ANSWERS and EACH are asked first; if two with different sentences explain the answers, nothing
+// ANSWERS and EACH are asked first, then ANY; if two with different sentences explain the answers, nothing
 // is said. Of ONLY the first of the list is named: the special one is before the general one. NULL
 // for a sentence: then nothing is said. What is right is told without mistakes:
 //
@@ -25,7 +28,8 @@
 
 typedef struct Known {
     Cause cause;
-    int (*fits)(const void *job, int i, const void *answers);
+    int (*fits)(const void *job, int i, const void *answers, int way);
+    int n_ways;
     int is_only;  // asked of wrong answers only
 } Known;
 
@@ -37,15 +41,16 @@ typedef struct Known {
         return expression;                                                                         \
     }
 #define ANSWERS(name, expression, ...) EACH(name, IS_FOUND(expression), __VA_ARGS__)
-#define EACH(name, expression, ...) KNOWN(name, expression, 0, __VA_ARGS__)
-#define ONLY(name, expression, ...) KNOWN(name, expression, 1, __VA_ARGS__)
-#define KNOWN(name, expression, form, ...)                                                         \
-    static int name##_fits(const void *job, int i, const void *answers)                            \
+#define EACH(name, expression, ...) KNOWN(name, 1, expression, 0, __VA_ARGS__)
+#define ONLY(name, expression, ...) KNOWN(name, 1, expression, 1, __VA_ARGS__)
+#define ANY(name, n, expression, ...) KNOWN(name, n, expression, 0, __VA_ARGS__)
+#define KNOWN(name, n, expression, form, ...)                                                      \
+    static int name##_fits(const void *job, int i, const void *answers, int way)                   \
     {                                                                                              \
         GIVEN;                                                                                     \
-        (void)in, (void)found;                                                                     \
+        (void)in, (void)found, (void)way;                                                          \
         return expression;                                                                         \
     }                                                                                              \
-    static const Known name = {{.says = __VA_ARGS__}, name##_fits, form};
+    static const Known name = {{.says = __VA_ARGS__}, name##_fits, n, form};
 
 #endif

@@ -1,7 +1,7 @@
 // mutant: n_spheres is not set
 // task: pack_leaf_range
 // caught by: pack-node
-// says: n_spheres is
+// says: n_spheres is not set
     KdNode3 *node = &tree->nodes[id];
     node->split_axis = KD_LEAF;
     node->first = tree->n_sphere_ids;

@@ -1,7 +1,7 @@
 // mutant: z is clamped by the borders of y
 // task: sphere_overlaps_box
 // caught by: overlap-inside
-// says: borders of another
+// says: numbers of another
 // looks: missing-in-cell
     const double dx = outside(sphere.x, box.min[0], box.max[0]);
     const double dy = outside(sphere.y, box.min[1], box.max[1]);

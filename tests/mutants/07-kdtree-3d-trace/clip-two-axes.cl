@@ -1,7 +1,7 @@
 // mutant: z is forgotten
 // task: clip_to_box
 // caught by: clip-through
-// says: one of the three axes
+// says: not all of the three axes
     for (uint axis = 0; axis < 2; axis++) {
         const float origin = component(ray.origin, axis);
         const float direction = component(ray.direction, axis);

@@ -1,0 +1,10 @@
+// mutant: the maximum of x is taken on z
+// task: sphere_overlaps_box
+// caught by: overlap-touching
+// says: numbers of another
+// looks: missing-in-cell
+    const double dx = outside(sphere.x, box.min[0], box.max[0]);
+    const double dy = outside(sphere.y, box.min[1], box.max[1]);
+    const double dz = outside(sphere.z, box.min[2], box.max[0]);
+    const double r = sphere.radius;
+    return dx * dx + dy * dy + dz * dz <= r * r;
