@@ -8,6 +8,7 @@
 #include "tree2d_grow.h"
 
 #include <math.h>
+#include <stdio.h>
 
 BBox2D scene_bounds(const Circle *h_circles, u32 n_circles)
 {

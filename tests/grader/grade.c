@@ -165,8 +165,8 @@ static int has_full_marks(const Grading *grading)
     return grading->result.score == grading->result.max_score;
 }
 
-// Let a submission draw beside a reference where it has earned every point as it was handed in: of a
-// wrong one nobody needs to know how fast it is. Whatever becomes of that, nothing else of the
+// Let a submission draw beside a reference where it has earned every point as it was handed in: of
+// a wrong one nobody needs to know how fast it is. Whatever becomes of that, nothing else of the
 // result changes.
 static void run_race(Grading *grading)
 {

@@ -104,7 +104,7 @@ for sandbox in bubblewrap landlock; do
     # shellcheck disable=SC2046,SC2086
     check "$sandbox: a function has another name" \
         grades 0 100 $(kept $lab) --sandbox $sandbox $submission
-    check "and the linker's lines name file and line" holds "$(place $file ' split_box(tree')"
+    check "and the linker's lines name file and line" holds "$(place $file '{is_leaf, split_box')"
     check "and where it is asked for" holds "tests/probes/$lab/main.c:"
     # shellcheck disable=SC2016 # for the inner shell
     check "and no other place of this machine" sh -c \

@@ -183,12 +183,16 @@ ANSWERS(by_amount, covers_with_depths(in, fabsf(in.circle.depth), fabsf(in.minDe
         "your answers are those of depths without their sign: -2 is nearer than 1")
 ANSWERS(below_1, in.circle.depth < 1 && overlaps(in),
         "your answers are those of a largest depth of 1: there is none")
+ANSWERS(from_0_to_1, in.circle.depth >= 0 && in.circle.depth <= 1 && overlaps(in),
+        "depths outside of 0 to 1 were refused: a depth may be any number")
 ANSWERS(before_eye, in.circle.depth >= 0 && overlaps(in),
         "circles of negative depth were refused: a depth may be any number")
 ANSWERS(behind_eye, in.circle.depth > 0 && overlaps(in),
         "circles of depth 0 or less were refused: a depth may be any number")
 ANSWERS(depth_to_radius, COVERS &&in.circle.depth < in.circle.radius,
         "the circle's depth was compared with its radius, not with minDepth")
+ANSWERS(radius_to_depth, COVERS &&in.circle.radius < in.minDepth,
+        "the circle's radius was compared with minDepth, not its depth")
 #define FARTHER "the farther circle took the pixel: the smaller depth is the nearer"
 ANSWERS(not_nearer_alone, COVERS && !NEARER, FARTHER)
 // What does not fit into an int becomes any number.
@@ -247,27 +251,17 @@ ONLY(whole_differences,
      WHOLE_NUMBERS)
 
 static const Known *const known[] = {
-    &from_middle,     &from_corner,
-    &from_right,      &from_left,
-    &from_below,      &from_above,
-    &one_on,          &one_right,
-    &one_down,        &square,
-    &open_square,     &diamond,
-    &by_root,         KNOWN_SQUARES,
-    &one_side,        &just_boundary,
-    &outside,         &just_outside,
-    &either,          &by_depth,
-    &contrary,        &cut_square,
-    &by_amount,       &below_1,
-    &before_eye,      &behind_eye,
-    &depth_to_radius, &not_nearer_alone,
-    &whole_depths,    &farther,
-    &not_1,           &equal_depth,
-    &little_farther,  &not_nearer,
-    &little_nearer,   &no_radius,
-    &boundary,        &rounded_root,
-    &little_outside,  &near_outside,
-    &whole_centre,    &whole_differences,
+    &from_middle,     &from_corner,      &from_right,     &from_left,
+    &from_below,      &from_above,       &one_on,         &one_right,
+    &one_down,        &square,           &open_square,    &diamond,
+    &by_root,         KNOWN_SQUARES,     &one_side,       &just_boundary,
+    &outside,         &just_outside,     &either,         &by_depth,
+    &contrary,        &cut_square,       &by_amount,      &below_1,
+    &from_0_to_1,     &before_eye,       &behind_eye,     &depth_to_radius,
+    &radius_to_depth, &not_nearer_alone, &whole_depths,   &farther,
+    &not_1,           &equal_depth,      &little_farther, &not_nearer,
+    &little_nearer,   &no_radius,        &boundary,       &rounded_root,
+    &little_outside,  &near_outside,     &whole_centre,   &whole_differences,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

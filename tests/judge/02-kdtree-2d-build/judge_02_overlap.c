@@ -107,18 +107,23 @@ ANSWERS(whole_border,
         "the nearest point was made a whole number: a border may lie between two pixels")
 ANSWERS(by_min, covers(circle, fmax(circle.x, box.minX), fmax(circle.y, box.minY)), ONE_BORDER)
 ANSWERS(by_max, covers(circle, fmin(circle.x, box.maxX), fmin(circle.y, box.maxY)), ONE_BORDER)
-ANSWERS(y_by_max_x,
-        covers(circle, clamped(circle.x, box.minX, box.maxX),
-               clamped(circle.y, box.minY, box.maxX)),
-        OTHER_AXIS)
-ANSWERS(y_by_x,
-        covers(circle, clamped(circle.x, box.minX, box.maxX),
-               clamped(circle.y, box.minX, box.maxX)),
-        OTHER_AXIS)
-ANSWERS(x_by_y,
-        covers(circle, clamped(circle.x, box.minY, box.maxY),
-               clamped(circle.y, box.minY, box.maxY)),
-        OTHER_AXIS)
+
+// Clamped by borders of either axis: each bit of `way` takes another border, or the maximum first.
+static double clamped_some_way(double value, double low, double high, int is_max_first)
+{
+    return is_max_first ? fmax(fmin(value, high), low) : clamped(value, low, high);
+}
+
+static int covers_some_way(Circle circle, BBox2D box, int way)
+{
+    const double x = clamped_some_way(circle.x, way & 1 ? box.minY : box.minX,
+                                      way & 2 ? box.maxY : box.maxX, way & 16);
+    const double y = clamped_some_way(circle.y, way & 4 ? box.minX : box.minY,
+                                      way & 8 ? box.maxX : box.maxY, way & 16);
+    return covers(circle, x, y);
+}
+
+ANY(other_axis, 32, IS_FOUND(covers_some_way(circle, box, way)), OTHER_AXIS)
 // One axis wrong: the cell's nearest coordinate, or its distance from the centre's.
 #define NEAREST_X clamped(circle.x, box.minX, box.maxX)
 #define NEAREST_Y clamped(circle.y, box.minY, box.maxY)
@@ -151,9 +156,6 @@ ON_X(x_below, fmin(circle.x, box.minX), INWARDS)
 ON_X(x_above, fmax(circle.x, box.maxX), INWARDS)
 ON_Y(y_below, fmin(circle.y, box.minY), INWARDS)
 ON_Y(y_above, fmax(circle.y, box.maxY), INWARDS)
-ON_Y(y_from_min_x, clamped(circle.y, box.minX, box.maxY), OTHER_AXIS)
-ON_X(x_from_min_y, clamped(circle.x, box.minY, box.maxX), OTHER_AXIS)
-ON_X(x_to_max_y, clamped(circle.x, box.minX, box.maxY), OTHER_AXIS)
 #define MIXED_AXES "x and y of the centre are mixed up: each axis takes its own coordinate"
 ON_X(x_of_y, clamped(circle.y, box.minX, box.maxX), MIXED_AXES)
 ON_Y(y_of_x, clamped(circle.x, box.minY, box.maxY), MIXED_AXES)
@@ -191,10 +193,10 @@ ANSWERS(whole_radius, D2 <= squared(trunc(circle.radius)), WHOLE)
 #define KNOWN_OF_AN_AXIS                                                                           \
     &x_of_middle, &y_of_middle, &level_in_x, &level_in_y, &x_at_min, &x_at_max, &y_at_min,         \
         &y_at_max, &x_by_min, &x_by_max, &y_by_min, &y_by_max, &x_below, &x_above, &y_below,       \
-        &y_above, &y_from_min_x, &x_from_min_y, &x_to_max_y, &x_of_y, &y_of_x, &y_to_x, &x_to_y,   \
-        &to_nearest_y, &to_nearest_x, &sum_of_x, &sum_of_y, &sums, &x_twice, &y_twice, &product,   \
-        &product_for_x, &product_for_y, &square_of_sum, &x_not_squared, &y_not_squared,            \
-        &distance_rooted, &turned, &whole_distances, &whole_centre, &whole_radius
+        &y_above, &x_of_y, &y_of_x, &y_to_x, &x_to_y, &to_nearest_y, &to_nearest_x, &sum_of_x,     \
+        &sum_of_y, &sums, &x_twice, &y_twice, &product, &product_for_x, &product_for_y,            \
+        &square_of_sum, &x_not_squared, &y_not_squared, &distance_rooted, &turned,                 \
+        &whole_distances, &whole_centre, &whole_radius
 
 ANSWERS(circle_around,
         hypot(circle.x - MIDDLE_X, circle.y - MIDDLE_Y) <=
@@ -206,11 +208,11 @@ ONLY(level, !found && (reach.outside[0] == 0 || reach.outside[1] == 0),
      "where the centre is between two opposite borders, the distance on that axis is 0")
 
 static const Known *const known[] = {
-    &just_1_and_0, &by_centre,       &by_open_centre, &corners,     &with_centre,   &with_tips,
-    &middle,       &border,          &min_for_max,    &max_for_min, &lower_alone,   &upper_alone,
-    &contrary,     &half_radius,     &twice_radius,   &subtracted,  &one_is_enough, &whole_border,
-    &by_min,       &by_max,          &y_by_max_x,     &y_by_x,      &x_by_y,        &circle_around,
-    &square,       KNOWN_OF_AN_AXIS, OVERLAP_KNOWN,   &level,
+    &just_1_and_0, &by_centre,   &by_open_centre, &corners,       &with_centre,   &with_tips,
+    &middle,       &border,      &min_for_max,    &max_for_min,   &lower_alone,   &upper_alone,
+    &contrary,     &half_radius, &twice_radius,   &subtracted,    &one_is_enough, &whole_border,
+    &by_min,       &by_max,      &other_axis,     &circle_around, &square,        KNOWN_OF_AN_AXIS,
+    OVERLAP_KNOWN, &level,
 };
 
 // ---- Answers ------------------------------------------------------------------------------------

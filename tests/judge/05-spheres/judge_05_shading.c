@@ -280,6 +280,22 @@ RELIT(light_cut_at_1,
 RELIT(kd_each_time, vec3_scaled(light.color, powf(in->material.kd, (float)(in->n_lights - 1 - i))),
       "the sum so far is multiplied by kd with each light")
 
+// Every light with the colour, or the place, of one of them.
+static OracleNear lit_alike(ShadeJob in, const Light *lights, int i, int is_place)
+{
+    Light others[N_LIGHTS];
+    for (int k = 0; k < in.n_lights; k++) {
+        others[k] = is_place ? (Light){lights[i].position, lights[k].color}
+                             : (Light){lights[k].position, lights[i].color};
+    }
+    return shaded(in, others);
+}
+
+ANY(color_of_one, 2, IS_FOUND(lit_alike(in, lights, way ? in.n_lights - 1 : 0, 0)),
+    "every light has the colour of the same one")
+ANY(place_of_one, 2, IS_FOUND(lit_alike(in, lights, way ? in.n_lights - 1 : 0, 1)),
+    "every light stands where the same one does")
+
 // Of the sum.
 static OracleNear brightest(ShadeJob in, const Light *lights)
 {
@@ -347,13 +363,14 @@ ANSWERS(decoded, bent(SHADED, 2.2),
         MISTAKE_GAMMA)
 
 static const Known *const known_shades[] = {
-    &not_clamped,    &lit_behind,     &way_turned,       &sum_clamped,     &first_only,
-    &first_4,        &first_8,        &first_16,         &first_32,        &first_64,
-    &first_128,      &first_256,      &last_only,        &one_more,        &stops_behind,
-    &from_origin,    &kd_missing,     &color_missing,    &way_not_unit,    &falls,
-    &no_light_color, &light_red_only, &light_cut_at_1,   &kd_each_time,    &brightest_only,
-    &mean,           &cut_at_1,       &highlight,        &swapped,         &encoded,
-    &decoded,        &no_cosine,      &no_cosine_before, &falling_and_long};
+    &not_clamped,    &lit_behind,     &way_turned,       &sum_clamped,      &first_only,
+    &first_4,        &first_8,        &first_16,         &first_32,         &first_64,
+    &first_128,      &first_256,      &last_only,        &one_more,         &stops_behind,
+    &from_origin,    &kd_missing,     &color_missing,    &way_not_unit,     &falls,
+    &no_light_color, &light_red_only, &light_cut_at_1,   &kd_each_time,     &brightest_only,
+    &mean,           &cut_at_1,       &highlight,        &swapped,          &encoded,
+    &decoded,        &no_cosine,      &no_cosine_before, &falling_and_long, &color_of_one,
+    &place_of_one};
 
 static char *describe_shade(const void *job, int i, const void *answers)
 {

@@ -166,15 +166,22 @@ ANSWERS(middle_of_z, MIDDLE_OF(2), "the position is the middle of z, whatever th
 ANSWERS(middle_of_x, ((double)in.min[0] + in.max[0]) / 2,
         "the position is the middle of x, whatever the axis")
 ANSWERS(pos_not_set, 0, "split.pos is not set")
+ANY(other_start, 3, IS_FOUND(in.min[way] + (HIGH_END - LOW_END) / 2),
+    "half of the side was added to the minimum of the same axis each time: it is that of "
+    "split.axis")
+ANY(whole_length, 2,
+    IS_FOUND(LOW_END + (way ? trunc((HIGH_END - LOW_END) / 2) : trunc(HIGH_END - LOW_END) / 2)),
+    "the side's length, or half of it, was made a whole number")
 ANSWERS(sum_halved_added, LOW_END + (LOW_END + HIGH_END) / 2,
         "from the minimum on it is half of the length, not half of the sum of both ends")
 ANSWERS(sum_of_ends, LOW_END + HIGH_END, "the sum of both ends is to be halved")
 ANSWERS(half_length, (HIGH_END - LOW_END) / 2, "that is half the length, as if the cell began at 0")
 
 static const Known *const known_of_middle[] = {
-    &zero_for_a_point, &whole_middle, &middle_of_x, &sum_of_ends,      &half_length,   &half_of_max,
-    &half_of_min,      &low_end,      &high_end,    &length,           &min_taken_off, &from_max,
-    &from_min,         &max_halved,   &min_halved,  &min_halved_added, &other_axis,    &other_share,
+    &zero_for_a_point, &whole_middle, &middle_of_x, &sum_of_ends,     &half_length,
+    &half_of_max,      &half_of_min,  &low_end,     &high_end,        &length,
+    &min_taken_off,    &from_max,     &from_min,    &max_halved,      &min_halved,
+    &min_halved_added, &other_axis,   &other_share, &other_start,     &whole_length,
     &middle_of_y,      &middle_of_z,  &pos_not_set, &sum_halved_added};
 
 const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),

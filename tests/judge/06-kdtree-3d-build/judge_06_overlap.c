@@ -198,6 +198,10 @@ ANSWERS(by_root_strict, sqrt(D2) < fabs(RADIUS),
         "touching counts, and a root is rounded: compare the squares", MISTAKE_STRICT_BOUNDARY)
 ANSWERS(signed_radius, D2 <= RADIUS * fabs(RADIUS),
         "a negative radius counts as its absolute value")
+ANSWERS(no_negative, RADIUS >= 0 && D2 <= RADIUS * RADIUS,
+        "a negative radius counts as its absolute value")
+ANSWERS(no_radius, RADIUS > 0 && D2 <= RADIUS * RADIUS,
+        "a negative radius counts as its absolute value, and a sphere of radius 0 is a point")
 ANSWERS(doubled, D2 <= 4 * RADIUS * RADIUS, "the radius was doubled: it is no diameter")
 ANSWERS(halved, 4 * D2 <= RADIUS * RADIUS, "the radius was halved: it is no diameter")
 ANSWERS(squared_again, D2 *D2 <= RADIUS * RADIUS, "the sum of the squares was squared again")
@@ -218,6 +222,8 @@ static const Known *const known_of_overlap[] = {&by_signed_root,
                                                 &by_signed_root_strict,
                                                 &by_root_strict,
                                                 &signed_radius,
+                                                &no_negative,
+                                                &no_radius,
                                                 &doubled,
                                                 &halved,
                                                 &squared_again,

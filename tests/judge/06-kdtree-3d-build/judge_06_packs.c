@@ -227,6 +227,8 @@ EACH(end_stays, IN_PLACE && out->n_sphere_ids == in->n_before,
      "n_sphere_ids is not moved: the next leaf's ids go where these are")
 EACH(end_one_on, IN_PLACE && out->n_sphere_ids == in->n_before + 1,
      "n_sphere_ids moves by one for each leaf: it moves by the number of its ids")
+EACH(end_one_too_far, IN_PLACE && out->n_sphere_ids == in->n_before + in->n_ids + 1,
+     "n_sphere_ids moves by one too many: here no place is needed for the count")
 EACH(end_is_count, IN_PLACE && out->n_sphere_ids == in->n_ids,
      "n_sphere_ids counts this leaf only: it moves behind the ids of all leaves so far")
 EACH(end_twice, IN_PLACE && out->n_sphere_ids == in->n_before + 2 * in->n_ids,
@@ -263,9 +265,9 @@ EACH(unwritten, stand_at(in, out, PACK_MAP_ROOM, 0),
      "no id is written: the leaf's range is in the array, and stays free")
 
 static const Known *const known_of_ids[] = {
-    &count_first, PACKED_KNOWN, &in_front,     &one_more,      &one_place_on, &at_id,
-    &end_stays,   &end_one_on,  &end_is_count, &end_twice,     &one_place,    &split_pos_set,
-    &unwritten,   &to_count,    &sphere_0,     &first_missing, &last_missing};
+    &count_first,   PACKED_KNOWN, &in_front,        &one_more,     &one_place_on,  &at_id,
+    &end_stays,     &end_one_on,  &end_one_too_far, &end_is_count, &end_twice,     &one_place,
+    &split_pos_set, &unwritten,   &to_count,        &sphere_0,     &first_missing, &last_missing};
 
 const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
                               KNOWING(are_right_ids, describe_ids, known_of_ids),

@@ -326,11 +326,12 @@ ANY(max_line, N_LINES, IS_FOUND(with_max_line(in, line_of(way))),
 // Of one plane, or both: a formula; or one plane for the other.
 static Planes planes_of(int way)
 {
+    if (way >= 15) {
+        return (Planes){.low_is_high = way == 15, .high_is_low = way == 16};
+    }
     const Formula formula = (Formula)(1 + way / 3);
-    return way == 15   ? (Planes){.low_is_high = 1}
-           : way == 16 ? (Planes){.high_is_low = 1}
-                       : (Planes){.low = way % 3 == 1 ? DIVIDED : formula,
-                                  .high = way % 3 == 2 ? DIVIDED : formula};
+    return (Planes){.low = way % 3 == 1 ? DIVIDED : formula,
+                    .high = way % 3 == 2 ? DIVIDED : formula};
 }
 
 ANY(other_formula, 17, IS_FOUND(lined(in, right_min, right_max, planes_of(way))),

@@ -15,7 +15,7 @@
 ANSWERS(by_sum, reach.outside[0] + reach.outside[1] + reach.outside[2] <= fabs(RADIUS),
         "the distances on the axes are added: their squares are to be")
 ANY(radius_not_squared, 2, IS_FOUND(D2 <= (way ? RADIUS : fabs(RADIUS))),
-        "your answers are those of distance² <= radius, without its square")
+    "your answers are those of distance² <= radius, without its square")
 ANSWERS(by_root, sqrt(D2) <= fabs(RADIUS),
         "your answers are those of a root, which is rounded: compare the squares")
 ANSWERS(distances_in_float, reach_squared(reach_in_float(reach)) <= RADIUS * RADIUS,
