@@ -216,8 +216,8 @@ mutant() {
 check "lab 03, left and right swapped: it runs" mutant 03 \
     left-right-swapped 7,7 --scene example --max-depth 4 --leaf-size 1
 check "and parts at the second node" says '^they part at step 1$' '^   1  node 1: .*| node 2: '
-check "lab 03, the upper side closed: a pixel elsewhere is the same" mutant 03 implicit2DRenderer_KD.cl \
-    getContainingChild upper-side-closed.cl 7,7 --scene example --max-depth 4 --leaf-size 1
+check "lab 03, the upper side closed: a pixel elsewhere is the same" mutant 03 \
+    upper-side-closed 7,7 --scene example --max-depth 4 --leaf-size 1
 check "and says so" says '^they do the same in all 7 steps$'
 check "one on the border" mutant 03 upper-side-closed 5,5 \
     --scene example --max-depth 4 --leaf-size 1
