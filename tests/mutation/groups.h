@@ -20,7 +20,7 @@ typedef struct Group {
     Variant variant;
 } Group;
 
-// The number of the check that the answer shall be caught by, or -1.
+// The number of the check that the answer shall be caught by, or -1: it is right.
 int answer_check(const Session *session, const KnownAnswer *answer);
 
 // Choose which of n answers are tried alone, of those that do not say that the check passes there:

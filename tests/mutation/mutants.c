@@ -99,12 +99,11 @@ typedef struct Covered {
     int mistakes[N_MISTAKES];
 } Covered;
 
-// Note what a wrong answer is meant for. Is it the first one there, or is there no such check, so
-// that trying it will say what is wrong?
+// Note what a wrong answer is meant for. Is it the first one there?
 static int note_kind(Covered *covered, const Session *session, const KnownAnswer *answer)
 {
-    const int check = answer->is_right ? -1 : answer_check(session, answer);
-    int is_first = check < 0 || covered->checks[check]++ == 0;
+    const int check = answer_check(session, answer);
+    int is_first = check >= 0 && covered->checks[check]++ == 0;
     is_first |= answer->mistakes != 0 && covered->mistakes[answer->first_mistake]++ == 0;
     return is_first;
 }

@@ -7,7 +7,7 @@
 
 int answer_check(const Session *session, const KnownAnswer *answer)
 {
-    for (int i = 0; i < session->judge.n_checks; i++) {
+    for (int i = 0; !answer->is_right && i < session->judge.n_checks; i++) {
         if (strcmp(session->judge.checks[i].id, answer->check) == 0) {
             return i;
         }
@@ -31,7 +31,7 @@ typedef struct Turns {
 // one. NULL where there is no such check, or where nothing is to be tried alone.
 static Turn *turn_of(const Session *session, const KnownAnswer *answer, Turns *turns)
 {
-    const int check = answer->is_right ? -1 : answer_check(session, answer);
+    const int check = answer_check(session, answer);
     if (answer->passes_alone) {
         return NULL;
     }
