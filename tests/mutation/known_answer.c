@@ -31,6 +31,7 @@ typedef struct Reading {
     const char *edits;
     char *edits_end;
     int edits_line;
+    int n_misfits;  // answers whose edits do not fit: all are named
 } Reading;
 
 // One message about a line. Returns -1.
@@ -48,7 +49,8 @@ __attribute__((format(printf, 3, 4))) static int refuse(const Reading *reading, 
 
 // ---- One answer ---------------------------------------------------------------------------------
 
-// The answer has all its lines: make its text. Returns 0, or -1 after one message, as all below.
+// The answer has all its lines: make its text. One that does not fit is named, and noted. Returns 0,
+// or -1 after one message, as all below.
 static int close_answer(Reading *reading)
 {
     KnownAnswer *answer = reading->open;
@@ -67,11 +69,12 @@ static int close_answer(Reading *reading)
     answer->text =
         edits_apply(reading->solution, reading->edits ? reading->edits : "", &why, &line);
     line += reading->edits != NULL ? reading->edits_line : answer->line;
-    const int result = answer->text != NULL ? 0
-                                            : refuse(reading, line, "%s, %s: %s", answer->task->id,
-                                                     answer->name, why);
+    if (answer->text == NULL) {
+        refuse(reading, line, "%s, %s: %s", answer->task->id, answer->name, why);
+        reading->n_misfits++;
+    }
     free(why);
-    return result;
+    return 0;
 }
 
 // "wrong half-pixel: the corner for the middle". Its name is behind the first word.
@@ -260,7 +263,8 @@ static int read_text(Reading *reading, char *text)
         }
         line = next;
     }
-    return result == 0 ? close_answer(reading) : -1;
+    result = result == 0 ? close_answer(reading) : -1;
+    return reading->n_misfits == 0 ? result : -1;
 }
 
 int known_answers_read(KnownAnswers *answers, const Manifest *manifest)
@@ -270,10 +274,10 @@ int known_answers_read(KnownAnswers *answers, const Manifest *manifest)
     for (int kind = 0; kind < N_KNOWN_FILES; kind++) {
         char *path = answers->paths[kind];
         path_make(path, KNOWN_FOLDER "/%s/%s.diff", manifest->lab, KINDS[kind]);
-        answers->texts[kind] = result == 0 && access(path, F_OK) == 0 ? text_file_read(path) : NULL;
+        answers->texts[kind] = access(path, F_OK) == 0 ? text_file_read(path) : NULL;
         if (answers->texts[kind] != NULL) {
             Reading reading = {answers, manifest, kind, path, .line = 0};
-            result = read_text(&reading, answers->texts[kind]);
+            result |= read_text(&reading, answers->texts[kind]);
             free(reading.solution);
         }
     }

@@ -43,8 +43,9 @@ typedef struct KnownAnswers {
 } KnownAnswers;
 
 // Read all known answers of a lab; the manifest must stay. A file that is not there has none.
-// Returns 0, or -1 after one message with file and line: an edit that does not fit the solution, a
-// task or check that the lab does not have, a line that says nothing known.
+// Returns 0, or -1 after a message with file and line: for each answer with an edit that does not
+// fit the solution, or one for a task or check that the lab does not have, a line that says nothing
+// known.
 // known_answers_free() them in either case.
 int known_answers_read(KnownAnswers *answers, const Manifest *manifest);
 void known_answers_free(KnownAnswers *answers);

@@ -126,6 +126,8 @@ Test(known_file, an_edit_that_does_not_fit_is_named)
     expect_refused(ONE HALF "\nwrong b: b\nsays: b\n\n-    return b;\n+    return 0;\n", 13,
                    "one, b: the edit does not fit");
     expect_refused(ONE "wrong b: b\nsays: b\n", 5, "one, b: no edit");
+    expect_refused(ONE "wrong b: b\nsays: b\n-    b\n\nwrong c: c\nsays: c\n-    c\n", 7,
+                   "wrong.diff:11: one, c: the edit does not fit");
     expect_refused(ONE "wrong b: b\nsays: b\n-    return a;\n+    return a;\n", 7,
                    "changes nothing");
 }
