@@ -274,8 +274,11 @@ int known_answers_read(KnownAnswers *answers, const Manifest *manifest)
     for (int kind = 0; kind < N_KNOWN_FILES; kind++) {
         char *path = answers->paths[kind];
         path_make(path, KNOWN_FOLDER "/%s/%s.diff", manifest->lab, KINDS[kind]);
-        answers->texts[kind] = access(path, F_OK) == 0 ? text_file_read(path) : NULL;
-        if (answers->texts[kind] != NULL) {
+        const int is_there = access(path, F_OK) == 0;
+        answers->texts[kind] = is_there ? text_file_read(path) : NULL;
+        if (answers->texts[kind] == NULL) {
+            result |= is_there ? -1 : 0;
+        } else {
             Reading reading = {answers, manifest, kind, path, .line = 0};
             result |= read_text(&reading, answers->texts[kind]);
             free(reading.solution);

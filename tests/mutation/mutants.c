@@ -182,8 +182,12 @@ static int try_all(Session *session, const Trial *trial)
     static KnownAnswers answers;
     Variant *solution[] = {&session->solution};
     int status = 2;
-    if (known_answers_read(&answers, &session->manifest) == 0 &&
-        session_add_seeds(session, trial->n_further) == 0 &&
+    int is_read = known_answers_read(&answers, &session->manifest) == 0;
+    if (is_read && answers.n == 0) {
+        complain("mutants: " KNOWN_FOLDER "/%s: found no answers", session->manifest.lab);
+        is_read = 0;
+    }
+    if (is_read && session_add_seeds(session, trial->n_further) == 0 &&
         session_run(session, solution, 1) == 0 && session_trust_solution(session) == 0) {
         known_answers_keep(&answers, trial->only);
         status = try_answers(session, trial, &answers);
