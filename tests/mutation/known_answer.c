@@ -49,8 +49,8 @@ __attribute__((format(printf, 3, 4))) static int refuse(const Reading *reading, 
 
 // ---- One answer ---------------------------------------------------------------------------------
 
-// The answer has all its lines: make its text. One that does not fit is named, and noted. Returns 0,
-// or -1 after one message, as all below.
+// The answer has all its lines: make its text. One that does not fit is named, and noted.
+// Returns 0, or -1 after one message, as all below.
 static int close_answer(Reading *reading)
 {
     KnownAnswer *answer = reading->open;

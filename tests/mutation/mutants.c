@@ -16,8 +16,8 @@
 // To be tried alone is to be compiled and run once more. Each answer is; with --together one of the
 // wrong ones that a check is meant for, and one right one of each task, and the seed says which.
 //
-// Prints TAP, a line for each answer of tests/known/NN-name/ (tests/known/README.md). Exit status: 0
-// all judged as they should be, 1 some not, 2 the machinery failed, or an answer cannot be read.
+// Prints TAP, a line for each answer of tests/known/NN-name/ (tests/known/README.md). Exit status:
+// 0 all judged as they should be, 1 some not, 2 the machinery failed, or an answer cannot be read.
 #include "complain.h"
 #include "groups.h"
 #include "number.h"

@@ -1,5 +1,5 @@
-// The right answers to a lab's job: the solution's, which make has run natively before (UNIT_ANSWERS in
-// tests/tests.mk).
+// The right answers to a lab's job: the solution's, which make has run natively before
+// (UNIT_ANSWERS in tests/tests.mk).
 //
 // Read next: right_answers_sections.h.
 #ifndef UNIT_RIGHT_ANSWERS_H

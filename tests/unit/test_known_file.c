@@ -35,7 +35,7 @@ static const char SOLUTION[] = "int one(int a)\n"
 
 static KnownAnswers answers;
 
-// Read the lab with a file of wrong answers and one of right ones, NULL: without. Returns the status.
+// Read the lab with a file of wrong answers and one of right ones; NULL: without. Returns a status.
 static int read_files(const char *wrong, const char *right)
 {
     static const char *const folders[] = {"solutions", "solutions/01-x", "tests", "tests/known",
