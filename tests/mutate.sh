@@ -4,7 +4,7 @@
 #     tests/mutate.sh BUILD [LAB...]      all labs, or some: 03 05
 #
 # Prints for each lab the mutants that no check notices and a line of figures. See "Mechanical
-# mutants" in tests/mutants/README.md. The last line is "N labs passed, N failed".
+# mutants" in tests/mutation/README.md. The last line is "N labs passed, N failed".
 set -u
 build=$1
 shift

@@ -6,9 +6,9 @@ AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class -I tests/
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
-$(OUT)/libmutation.a: $(call objects,$(addprefix tests/mutation/,mutations.c known_answer.c groups.c groups_try.c))
+$(OUT)/libmutation.a: $(call objects,$(addprefix tests/mutation/,mutations.c edits.c known_answer.c tried_alone.c groups.c groups_try.c))
 	$(archive)
-$(OUT)/tools/mutants $(OUT)/tools/pairs $(OUT)/tools/mutate: $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+$(addprefix $(OUT)/tools/,known mutants pairs mutate): $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
 
 # ---- A class ---------------------------------------------------------------------------------
@@ -25,7 +25,7 @@ $(OUT)/tools/points: $(call objects,tests/class/points_tool.c) $(OUT)/libclass.a
 own_points = $(if $(and $(POINTS),$(graded_lab)),$(OUT)/tools/points "$(graded_lab)" "$$POINTS" $(OUT)/own-points.json &&)
 grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(OUT)/tools/points)
 
-grader: $(addprefix $(OUT)/tools/,holes gradebook points term mutants mutate pairs)
+grader: $(addprefix $(OUT)/tools/,holes gradebook points term known mutants mutate pairs)
 .PHONY: grade-class
 grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@exec tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
@@ -110,7 +110,7 @@ figures: all views pixels $(FIGURES)  ## draw the pictures of the READMEs and no
 	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 # Texts of answers are as somebody wrote them.
-NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/mutants/ -e ^tests/right/ -e ^tests/memcheck/faults/ -e ^tests/attacks/
+NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/memcheck/faults/ -e ^tests/attacks/
 # Older ones, that editors may have, know no InsertBraces: it is not in .clang-format.
 format:  ## put every source into the one format
 	clang-format-19 --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
@@ -156,9 +156,10 @@ $(OUT)/tests/test_circle_tree: $(call objects,solutions/10-realtime/circle_tree.
 
 # Lab 02's builder with a distribute() that returns more circles than it was given.
 TOO_MANY = $(OUT)/wrong/returns-too-many.c
-$(TOO_MANY): solutions/02-kdtree-2d-build/kdtree2d_build.c tests/mutants/02-kdtree-2d-build/returns-too-many.c $(OUT)/tools/holes
+$(TOO_MANY): solutions/02-kdtree-2d-build/kdtree2d_build.c tests/known/02-kdtree-2d-build/wrong.diff $(OUT)/tools/holes $(OUT)/tools/known
 	@mkdir -p $(@D)
-	@$(OUT)/tools/holes fill $< distribute $(word 2,$^) >$@.new && mv $@.new $@
+	@$(OUT)/tools/known read 02-kdtree-2d-build returns-too-many >$@.answer
+	@$(OUT)/tools/holes fill $< distribute $@.answer >$@.new && mv $@.new $@
 $(OUT)/obj/tests/unit/test_builder_guard.c.o: EXTRA = $(GRADER_INCLUDES) -I $(dir $(TOO_MANY))
 $(OUT)/obj/tests/unit/test_builder_guard.c.o: $(TOO_MANY)
 
@@ -180,8 +181,18 @@ $(OUT)/tests/no_images.so: tests/tools/no_images.c
 
 # A unit test's own code runs once: to optimise it takes longer than it saves. What it tests is optimised.
 $(OUT)/obj/tests/unit/%.c.o: OPTIMISATION = -O0 -g
-# But for those that draw whole pictures by the right answers.
-$(addprefix $(OUT)/obj/tests/unit/test_,judges.c.o judges_garbage.c.o judge_process.c.o replays.c.o comparison.c.o): OPTIMISATION = -O2 -g
+# But for one that builds many trees.
+$(OUT)/obj/tests/unit/test_replays.c.o: OPTIMISATION = -O2 -g
+
+# The solutions' answers to the jobs of some seeds, which unit tests damage (tests/unit/right_answers.h). No known
+# answer has a / in its name, so that only the solution is run.
+UNIT_SEEDS = 1 2 3 5 9
+UNIT_ANSWERS := $(patsubst solutions/%/lab.json,$(NATIVE)/answers/%/9,$(wildcard solutions/*/lab.json))
+$(UNIT_ANSWERS): $(NATIVE)/answers/%/9: $(wildcard kernels/* solutions/*/*.[ch]*) $(OUT)/tools/judge $(OUT)/tools/mutants \
+    $$(filter $(NATIVE)/probes/$$* $(NATIVE)/probes/$$*.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)) | native
+	@mkdir -p $(@D)
+	$(call say,answer  $*)for seed in $(UNIT_SEEDS); do rm -f $(@D)/$$seed && \
+	    $(OUT)/tools/mutants --only / --lab $* --seed $$seed --answers $(@D) --build $(NATIVE) --sandbox none >/dev/null || exit; done
 
 # In `make test-all` unit tests run under the sanitizers, but for this one: PoCL's compiler is not built for
 # them. In `make test` they run without: this second build takes longer than the first.
@@ -192,7 +203,7 @@ unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
 # All that `make test` runs, which tries each suite's heart (tests/tap.sh).
-suites: all $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native memcheck-libraries \
+suites: all $(UNIT_ANSWERS) $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native memcheck-libraries \
     $(filter $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(VIEWS) $(PIXELS))
 heart: suites unit-tests
 # The bench is built here, too: it must not break unnoticed.

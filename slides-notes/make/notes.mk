@@ -21,7 +21,7 @@ NOTES_RUNS := $(patsubst %,$(NOTES)/runs/%.json,$(shell sed -n 's/^\([0-9][^ ]*\
 # The lab of a run. Without a filter: a % in a prerequisite would be the target's.
 lab_of_run = $(foreach lab,$(LABS),$(if $(findstring /$(firstword $(subst -, ,$(1)))-,/$(lab)),$(lab)))
 $(NOTES_RUNS): $(NOTES)/runs/%.json: $(NOTES_MAKE)/runs.txt $(NOTES_MAKE)/run.sh \
-    $$(addprefix $(OUT)/solutions/,$$(call lab_of_run,$$*)) | $(OUT)/tools/holes $(OUT)/tools/compare
+    $$(addprefix $(OUT)/solutions/,$$(call lab_of_run,$$*)) | $(OUT)/tools/known $(OUT)/tools/compare
 	@mkdir -p $(@D)
 	$(call say,count   $*)$(NOTES_MAKE)/run.sh $* $(OUT) $@
 # What a pixel is expected to do in lab 08's trees in the plane, which no lab's program grows.

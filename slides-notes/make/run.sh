@@ -4,7 +4,7 @@
 #     slides-notes/make/run.sh NAME BUILD-FOLDER OUTPUT.json
 #
 # NAME is one of runs.txt, in this folder. What the program prints is saved, too, as OUTPUT.txt. Where runs.txt names a wrong
-# answer, a kernel of tests/mutants/, the lab is run with that in its place, and "wrong_pixels" is how many pixels it costs.
+# answer of tests/known/, a kernel's, the lab is run with that in its place, and "wrong_pixels" is how many pixels it costs.
 set -eu
 
 name=$1
@@ -31,18 +31,16 @@ run() {
 course=$PWD
 case $options in
 wrong=*)
-    mutant=tests/mutants/${program##*/}/${options#wrong=}
-    mutant=${mutant%% *}.cl
+    answer=${options#wrong=}
+    answer=${answer%% *}
     options=${options#wrong=* }
     run "$scratch/right.exr"
     # A course folder with this one answer in it.
-    task=$(sed -n 's|^// task: ||p' "$mutant")
-    file=$(grep -l "// TASK $task\>" solutions/"${program##*/}"/*.cl)
     mkdir "$scratch/course"
     for part in ./*; do ln -s "$course/$part" "$scratch/course/$part"; done
     rm "$scratch/course/solutions"
     cp -R solutions "$scratch/course/solutions"
-    "$build/tools/holes" fill "$file" "$task" "$mutant" >"$scratch/course/$file"
+    "$build/tools/known" put "${program##*/}" "$answer" "$scratch/course/solutions/${program##*/}"
     cd "$scratch/course"
     run "$scratch/wrong.exr" --stats "$scratch/stats"
     cd "$course"

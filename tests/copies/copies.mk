@@ -2,7 +2,7 @@
 
 $(OUT)/libcopies.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/copies/*.c)))
 	$(archive)
-$(OUT)/tools/copies: $(call objects,tests/copies/copies_tool.c) $(OUT)/libcopies.a $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/copies: $(call objects,tests/copies/copies_tool.c) $(OUT)/libcopies.a $(OUT)/libclass.a $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
 grader: $(OUT)/tools/copies

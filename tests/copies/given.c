@@ -3,11 +3,11 @@
 
 #include "form_list.h"
 #include "holes.h"
+#include "known_answer.h"
 #include "path.h"
 #include "skeleton.h"
 #include "text_file.h"
 
-#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -64,35 +64,18 @@ static void page_add(Collection *given, const char *path)
     free(page);
 }
 
-// The names around the hole that a known answer is for: its first lines say "// task: ID".
-static const NameSet *known_scope(const Manifest *manifest, const NameSet *scopes, const char *text)
-{
-    static const char sign[] = "// task: ";
-    const char *id = text != NULL ? strstr(text, sign) : NULL;
-    for (int i = 0; id != NULL && i < manifest->n_tasks; i++) {
-        const size_t length = strlen(manifest->tasks[i].id);
-        const char *at = id + sizeof sign - 1;
-        if (strncmp(at, manifest->tasks[i].id, length) == 0 && strchr("\r\n", at[length]) != NULL) {
-            return &scopes[i];
-        }
-    }
-    return NULL;
-}
-
+// Without the solution none can be read.
 static void known_add(Collection *given, const Manifest *manifest, const NameSet *scopes)
 {
-    char pattern[PATH_MAX];
-    glob_t found;
-    path_make(pattern, "tests/{right,mutants}/%s/*", manifest->lab);
-    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
-        return;
+    static KnownAnswers known;
+    if (manifest_has_solution(manifest->lab)) {
+        known_answers_read(&known, manifest);
     }
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        char *text = text_file_read(found.gl_pathv[i]);
-        text_add(given, text, known_scope(manifest, scopes, text), 1);
-        free(text);
+    for (int i = 0; i < known.n; i++) {
+        const KnownAnswer *answer = &known.all[i];
+        text_add(given, answer->text, &scopes[answer->task - manifest->tasks], 1);
     }
-    globfree(&found);
+    known_answers_free(&known);
 }
 
 Given *given_read(const Manifest *manifest, const NameSet scopes[], int *n_given)

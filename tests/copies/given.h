@@ -11,7 +11,7 @@ typedef struct Given {
 } Given;
 
 // Read the skeleton's holes, the code on the lab's page, the solution's holes, and the known
-// answers (tests/right, tests/mutants). What is not there, as in a course without solutions, is
+// answers (tests/known). What is not there, as in a course without solutions, is
 // left out.
 //   scopes   by the manifest's tasks: the names around each hole (scope.h)
 // Returns *n_given of them; given_free() them. Running out of memory ends the program.

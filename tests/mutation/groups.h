@@ -9,6 +9,7 @@
 #define MUTATION_GROUPS_H
 
 #include "known_answer.h"
+#include "session.h"
 
 // How many groups run side by side.
 enum { PAIR = 2 };
@@ -18,6 +19,14 @@ typedef struct Group {
     int n;
     Variant variant;
 } Group;
+
+// The number of the check that the answer shall be caught by, or -1: it is right.
+int answer_check(const Session *session, const KnownAnswer *answer);
+
+// Choose which of n answers are tried alone, of those that do not say that the check passes there:
+// each; or one of the wrong ones that a check is meant for and one of the right ones to a task, and
+// the seed says which.
+void answers_choose_alone(const Session *session, KnownAnswer *const answers[], int n, int is_each);
 
 // Put n answers into groups, in their order: each by itself, or as many together as may be.
 //   groups[n]   out: n of them are enough

@@ -6,8 +6,8 @@
 //
 // --seeds says for how many seeds, from --seed on, each must be so; one is the default. Jobs of
 // further seeds are run beside the first, by programs that are compiled once. --only tries those
-// whose path holds the word, --every of the wrong ones each N-th in the order of their names, and
-// as many others as it takes that each check and each kind of mistake has one.
+// whose name holds the word, --every of the wrong ones each N-th in their order, and as many others
+// as it takes that each check and each kind of mistake has one.
 //
 // Each answer stands by itself in the solution. With --together answers to different tasks stand
 // there together where that says as much of each (groups.h); and where one of them is not judged as
@@ -16,16 +16,14 @@
 // To be tried alone is to be compiled and run once more. Each answer is; with --together one of the
 // wrong ones that a check is meant for, and one right one of each task, and the seed says which.
 //
-// Prints TAP, a line for each file in tests/mutants/NN-name/ and tests/right/NN-name/. Their format
-// stands in tests/mutants/README.md and tests/right/README.md. Exit status: 0 all judged as they
-// should be, 1 some not, 2 the machinery failed.
+// Prints TAP, a line for each answer of tests/known/NN-name/ (tests/known/README.md). Exit status:
+// 0 all judged as they should be, 1 some not, 2 the machinery failed, or an answer cannot be read.
 #include "complain.h"
 #include "groups.h"
 #include "number.h"
 #include "session.h"
 #include "settings.h"
 
-#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,11 +59,11 @@ static void report_kind(const KnownAnswer *answer, Naming *naming)
     naming->n_named += answer_is_named(answer);
     naming->n_misnamed += strange != 0;
     if (answer->mistakes != 0 && !answer_is_named(answer)) {
-        printf("  # %s: not named as %s\n", answer->path, mistake_name(answer->first_mistake));
+        printf("  # %s: not named as %s\n", answer->name, mistake_name(answer->first_mistake));
     }
     for (Mistake mistake = 0; mistake < N_MISTAKES; mistake++) {
         if (strange >> mistake & 1) {
-            printf("  # %s: named as %s\n", answer->path, mistake_name(mistake));
+            printf("  # %s: named as %s\n", answer->name, mistake_name(mistake));
         }
     }
 }
@@ -73,9 +71,11 @@ static void report_kind(const KnownAnswer *answer, Naming *naming)
 // Print a TAP line for an answer, test number `number`. Returns whether it failed.
 static int report_answer(const KnownAnswer *answer, int number, Naming *naming)
 {
-    printf("%sok %d - %s\n", answer->why ? "not " : "", number, answer->path + strlen("tests/"));
+    const int length = (int)(strrchr(answer->path, '/') - answer->path);
+    printf("%sok %d - %.*s/%s\n", answer->why ? "not " : "", number, length, answer->path,
+           answer->name);
     if (answer->why != NULL) {
-        printf("  # %s\n", answer->why);
+        printf("  # %s:%d: %s\n", answer->path, answer->line, answer->why);
     }
     report_kind(answer, naming);
     return answer->why != NULL;
@@ -99,12 +99,11 @@ typedef struct Covered {
     int mistakes[N_MISTAKES];
 } Covered;
 
-// Note what a wrong answer is meant for. Is it the first one there, or is there no such check, so
-// that trying it will say what is wrong?
+// Note what a wrong answer is meant for. Is it the first one there?
 static int note_kind(Covered *covered, const Session *session, const KnownAnswer *answer)
 {
-    const int check = answer->is_right ? -1 : answer_check(session, answer);
-    int is_first = check < 0 || covered->checks[check]++ == 0;
+    const int check = answer_check(session, answer);
+    int is_first = check >= 0 && covered->checks[check]++ == 0;
     is_first |= answer->mistakes != 0 && covered->mistakes[answer->first_mistake]++ == 0;
     return is_first;
 }
@@ -162,22 +161,14 @@ static void *allocate(size_t n, size_t n_bytes)
     return memory;
 }
 
-// Read n answers and try those that shall be. Returns an exit status.
-//   answers[n]   room for them; answer_free() each
-static int read_and_try(Session *session, const Trial *trial, char *const paths[], size_t n_paths,
-                        KnownAnswer answers[])
+// Try those of the answers that shall be. Returns an exit status.
+static int try_answers(Session *session, const Trial *trial, KnownAnswers *answers)
 {
-    int n = 0, status = 2;
-    for (size_t i = 0; i < n_paths; i++) {
-        if (strstr(paths[i], trial->only) != NULL &&
-            answer_read(&answers[n++], &session->manifest, paths[i]) != 0) {
-            return 2;
-        }
-    }
+    int n = answers->n, status = 2;
     KnownAnswer **chosen = allocate((size_t)n, sizeof *chosen);
     Group *groups = chosen != NULL ? allocate((size_t)n, sizeof *groups) : NULL;
     if (groups != NULL) {
-        n = choose(session, trial, answers, n, chosen);
+        n = choose(session, trial, answers->all, n, chosen);
         status = try_chosen(session, chosen, n, !trial->is_together, groups);
     }
     free(groups);
@@ -188,27 +179,20 @@ static int read_and_try(Session *session, const Trial *trial, char *const paths[
 // The solution first, then every known answer of the lab. Returns an exit status.
 static int try_all(Session *session, const Trial *trial)
 {
-    char pattern[ANSWER_LINE_BYTES];
+    static KnownAnswers answers;
     Variant *solution[] = {&session->solution};
-    glob_t found;
-    if (session_add_seeds(session, trial->n_further) != 0 ||
-        session_run(session, solution, 1) != 0 || session_trust_solution(session) != 0) {
-        return 2;
+    int status = 2;
+    int is_read = known_answers_read(&answers, &session->manifest) == 0;
+    if (is_read && answers.n == 0) {
+        complain("mutants: " KNOWN_FOLDER "/%s: found no answers", session->manifest.lab);
+        is_read = 0;
     }
-    snprintf(pattern, sizeof pattern, "{" WRONG_FOLDER "," RIGHT_FOLDER "}/%s/*.c*",
-             session->manifest.lab);
-    if (glob(pattern, GLOB_BRACE, NULL, &found) != 0) {
-        complain("mutants: %s: none found", pattern);
-        return 2;
+    if (is_read && session_add_seeds(session, trial->n_further) == 0 &&
+        session_run(session, solution, 1) == 0 && session_trust_solution(session) == 0) {
+        known_answers_keep(&answers, trial->only);
+        status = try_answers(session, trial, &answers);
     }
-    KnownAnswer *answers = allocate(found.gl_pathc, sizeof *answers);
-    const int status =
-        answers != NULL ? read_and_try(session, trial, found.gl_pathv, found.gl_pathc, answers) : 2;
-    for (size_t i = 0; answers != NULL && i < found.gl_pathc; i++) {
-        answer_free(&answers[i]);
-    }
-    free(answers);
-    globfree(&found);
+    known_answers_free(&answers);
     return status;
 }
 

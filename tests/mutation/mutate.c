@@ -5,7 +5,7 @@
 //
 // Tries the mutations number K, K + N, K + 2 N, ... (all, unless told otherwise), names those that
 // pass every check, and ends with one line of figures. Those that change nothing that counts stand
-// with the reason in tests/mutants/equivalent.txt. Exit status: 0 at least 95 in 100 of the others
+// with the reason in tests/mutation/equivalent.txt. Exit status: 0 at least 95 in 100 of the others
 // are noticed, 1 fewer or the list is wrong, 2 the machinery failed. Read next: mutations.h.
 #include "complain.h"
 #include "holes.h"
@@ -25,7 +25,7 @@
 // Two run side by side, as mutants do. KILLED_PERCENT is what the course promises.
 enum { PAIR = 2, ID_BYTES = 512, KILLED_PERCENT = 95 };
 
-static const char EQUIVALENT_PATH[] = "tests/mutants/equivalent.txt";
+static const char EQUIVALENT_PATH[] = "tests/mutation/equivalent.txt";
 
 typedef struct Options {
     int list;  // only print what there is

@@ -13,11 +13,10 @@
 #include "number.h"
 #include "random.h"
 
-#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { USUAL_PAIRS = 60, MOST_PAIRS = 1000, LEAST_PERCENT = 95, MOST_ANSWERS = 512 };
+enum { USUAL_PAIRS = 60, MOST_PAIRS = 1000, LEAST_PERCENT = 95 };
 
 // How the first answer of a pair is named.
 typedef enum Naming {
@@ -108,7 +107,7 @@ static int try_pair(Grading *grading, KnownAnswer *const pair[2])
         naming = compare(&single, &paired);
     }
     if (naming > NAMED_ALIKE) {
-        printf("%s beside %s: %s\n", pair[0]->path, pair[1]->path,
+        printf("%s beside %s: %s\n", pair[0]->name, pair[1]->name,
                naming == UNNAMED ? "unnamed" : "named otherwise");
     }
     for (int i = 0; naming > NAMED_ALIKE && i < grading->session.judge.n_checks; i++) {
@@ -147,19 +146,16 @@ static int try_pairs(Grading *grading, KnownAnswer answers[], int n, int n_pairs
     return 100 * n_named[NAMED_OTHERWISE] > (100 - LEAST_PERCENT) * n_pairs;
 }
 
-// Read the lab's known-wrong answers, of at least two tasks. Returns how many, or -1 after one
+// How many wrong answers there are, which come first; they must be of two tasks. -1 after one
 // message.
-static int read_answers(const Manifest *manifest, const glob_t *found, KnownAnswer answers[])
+static int count_wrong(const KnownAnswers *answers, const char *lab)
 {
     int n = 0, n_others = 0;
-    for (size_t i = 0; i < found->gl_pathc && n < MOST_ANSWERS; i++) {
-        if (answer_read(&answers[n++], manifest, found->gl_pathv[i]) != 0) {
-            return -1;
-        }
-        n_others += answers[n - 1].task != answers[0].task;
+    for (; n < answers->n && !answers->all[n].is_right; n++) {
+        n_others += answers->all[n].task != answers->all[0].task;
     }
     if (n_others == 0) {
-        complain("pairs: " WRONG_FOLDER "/%s: found no answers to two tasks", manifest->lab);
+        complain("pairs: " KNOWN_FOLDER "/%s: found no wrong answers to two tasks", lab);
         return -1;
     }
     return n;
@@ -168,25 +164,16 @@ static int read_answers(const Manifest *manifest, const glob_t *found, KnownAnsw
 // The solution first, then the pairs. Returns an exit status.
 static int try_all(Grading *grading, int n_pairs)
 {
-    static KnownAnswer answers[MOST_ANSWERS];
+    static KnownAnswers answers;
     Session *session = &grading->session;
-    char pattern[ANSWER_LINE_BYTES];
     Variant *solution[] = {&session->solution};
-    glob_t found = {0};
     int status = 2;
-    if (session_run(session, solution, 1) != 0 || session_trust_solution(session) != 0) {
-        return 2;
+    if (known_answers_read(&answers, &session->manifest) == 0 &&
+        session_run(session, solution, 1) == 0 && session_trust_solution(session) == 0) {
+        const int n = count_wrong(&answers, session->manifest.lab);
+        status = n > 0 ? try_pairs(grading, answers.all, n, n_pairs) : 2;
     }
-    snprintf(pattern, sizeof pattern, WRONG_FOLDER "/%s/*.c*", session->manifest.lab);
-    glob(pattern, 0, NULL, &found);
-    const int n = read_answers(&session->manifest, &found, answers);
-    if (n > 0) {
-        status = try_pairs(grading, answers, n, n_pairs);
-    }
-    for (int i = 0; i < MOST_ANSWERS; i++) {
-        answer_free(&answers[i]);
-    }
-    globfree(&found);
+    known_answers_free(&answers);
     return status;
 }
 

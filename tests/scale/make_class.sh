@@ -3,7 +3,7 @@
 #
 #     tests/scale/make_class.sh N FOLDER [BUILD]
 #
-# The same N gives the same class. Of twenty: nine right, five wrong in the ways of tests/mutants, a
+# The same N gives the same class. Of twenty: nine right, five wrong in the ways of tests/known, a
 # skeleton, one that does not compile, one without its file, one that crashes, one that never ends
 # and one that is hostile. Every fourth is an archive.
 set -eu
@@ -13,18 +13,16 @@ lab=03-kdtree-2d-render
 source=implicit2DRenderer_KD.cl
 mkdir -p "$folder"
 
-# wrong MUTANT: the solution with the answer of one mutant, without the header that names it.
+# wrong NAME: the solution with this known answer.
 wrong() {
-    task=$(sed -n 's|^// task: ||p' "$1")
-    grep -v '^// ' "$1" >"$folder/.answer"
-    "$build/tools/holes" fill "solutions/$lab/$source" "$task" "$folder/.answer" >"$student/$source"
-    rm "$folder/.answer"
+    cp "solutions/$lab/$source" "$student"
+    "$build/tools/known" put $lab "$1" "$student"
 }
 
 # instead TEXT: the solution with TEXT in place of the search of a pixel.
 instead() {
     printf '%s\n' "$1" >"$folder/.answer"
-    "$build/tools/holes" fill "solutions/$lab/$source" "$task" "$folder/.answer" >"$student/$source"
+    "$build/tools/holes" fill "solutions/$lab/$source" descent "$folder/.answer" >"$student/$source"
     rm "$folder/.answer"
 }
 
@@ -59,16 +57,16 @@ hostile() {
     esac
 }
 
-set -- tests/mutants/"$lab"/*.cl
+all_wrong=$("$build/tools/known" list $lab | sed -n '/^wrong endless-/d; s/^wrong \([^ ]*\) .*/\1/p')
+set --
 n_hostile=0 i=1
-task=$(sed -n 's|^// task: ||p' "tests/mutants/$lab/endless-descent.cl")
 while [ "$i" -le "$n" ]; do
     student=$folder/$(printf 'student-%04d' "$i")
     mkdir -p "$student"
     case $((i % 20)) in
     1 | 4 | 7 | 10 | 13 | 16)
-        if [ $# -eq 0 ]; then set -- tests/mutants/"$lab"/*.cl; fi
-        case $1 in */endless-*) shift ;; esac
+        # shellcheck disable=SC2086 # names without blanks
+        [ $# -gt 0 ] || set -- $all_wrong
         if [ $((i % 20)) -eq 16 ]; then
             cp "labs/$lab/$source" "$student"
         else
@@ -78,7 +76,7 @@ while [ "$i" -le "$n" ]; do
     3) instead '        id = no_such_name[id];' ;;
     6) echo "I could not do it." >"$student/README.txt" ;;
     9) instead '*(volatile __global int *)(size_t)(get_global_id(0) & 0) = 1;' ;;
-    12) wrong "tests/mutants/$lab/endless-descent.cl" ;;
+    12) wrong endless-descent ;;
     15) hostile $((n_hostile % 6))
         n_hostile=$((n_hostile + 1)) ;;
     *) cp "solutions/$lab/$source" "$student" ;;

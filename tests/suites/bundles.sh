@@ -30,7 +30,7 @@ done
 tests/systems/bundle.sh gradescope 99 "$scratch/none" 2>"$scratch/said"
 [ $? -eq 2 ] && [ ! -e "$scratch/none" ]
 ok $? "no bundle of a lab that is not there" "$(cat "$scratch/said")"
-more=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e /mutants/ -e /unit/)
+more=$(unzip -l "$bundles/gradescope-00.zip" | grep -e 'solutions/0[1357]' -e /known/ -e /unit/)
 [ -z "$more" ]
 ok $? "the bundle of lab 00 holds no solution that it does not need, and no test" "$more"
 

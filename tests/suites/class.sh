@@ -7,7 +7,6 @@ set -u
 . tests/tap.sh
 . tests/classes.sh
 . tests/hostile.sh
-wrong_file=$PWD/tests/mutants/$lab/half-pixel.cl
 
 # n_graded OUTPUT: how many gradings the job log has.
 n_graded() { grep -c "tests/class/grade_one.sh" "$1/joblog"; }
@@ -46,7 +45,7 @@ cp -R labs/$lab "$class/carol"
 cp -R solutions/$lab "$class/carol-2"
 long=$(printf '%0255d' 0)
 cp -R solutions/$lab "$class/$long"
-"$build/tools/holes" fill solutions/$lab/gradient.cl gradient "$wrong_file" >"$class/$long/gradient.cl"
+"$build/tools/known" put $lab half-pixel "$class/$long"
 
 # ---- Killed and resumed -------------------------------------------------------------------------
 

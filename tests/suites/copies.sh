@@ -32,11 +32,11 @@ is() { [ "$1" = "$2" ] || { echo "found \"$1\", expected \"$2\""; return 1; }; }
 
 # The text of one task: the solution's without its placeholders and comments.
 solved() { "$build/tools/holes" read "solutions/$1/$2" "$3" | grep -v '^ *//'; }
-# Known answers of a task, right or wrong, one path a line.
-known() { grep -l "^// task: $3\$" tests/"$1"/"$2"/* | LC_ALL=C sort; }
+# The names of the known answers to a task, right or wrong.
+known() { "$build/tools/known" list "$2" | awk -v kind="$1" -v task="$3" '$1 == kind && $3 == task { print $2 }' | LC_ALL=C sort; }
 # The N-th line, from 0 and round again.
 nth() { awk -v n="$1" '{ line[NR - 1] = $0 } END { print line[n % NR] }'; }
-text_of() { grep -v '^// \(right\|mutant\|task\|caught by\|says\|looks\|alone\): ' "$1"; }
+text_of() { "$build/tools/known" read "$@"; }
 
 # Other names for all that an answer declares, and no comments: the names get an ending.
 renamed() {
@@ -64,15 +64,15 @@ hand_in() {
 innocent() { # I LAB FILE TASK
     turn=$(($1 * 7 + $(printf %s "$4" | wc -c) * ($1 + 3)))
     case $((turn % 10)) in
-    [6-7]) text_of "$(known right "$2" "$4" | nth $turn)" ;;
-    [8-9]) text_of "$(known mutants "$2" "$4" | nth $turn)" ;;
+    [6-7]) text_of "$2" "$(known right "$2" "$4" | nth $turn)" ;;
+    [8-9]) text_of "$2" "$(known wrong "$2" "$4" | nth $turn)" ;;
     *) solved "$2" "$3" "$4" ;;
     esac | renamed "$1"
 }
 # The same mistake in the first task: its text is word for word alike.
 mistaken() { # I LAB FILE TASK
     if [ "$4" = "$(jq -r '.tasks[0].id' "solutions/$2/lab.json")" ]; then
-        text_of "$(known mutants "$2" "$4" | nth 3)"
+        text_of "$2" "$(known wrong "$2" "$4" | nth 3)"
     else
         innocent "$@"
     fi
@@ -82,7 +82,7 @@ own() { # AUTHOR N LAB FILE TASK
     if [ -e "tests/copies/authors/$3/$1.txt" ]; then
         "$build/tools/holes" read "tests/copies/authors/$3/$1.txt" "$5"
     else
-        text_of "$({ known right "$3" "$5" && known mutants "$3" "$5"; } | nth "$2")"
+        text_of "$3" "$({ known right "$3" "$5" && known wrong "$3" "$5"; } | nth "$2")"
     fi
 }
 own_renamed() { own "$@" | renamed copy | sed 's/^ *//'; }

@@ -10,7 +10,7 @@ set -u
 # Two real gradings: one right, one with a wrong kernel.
 wrong=$scratch/answer
 cp -R solutions/$lab "$wrong"
-"$build/tools/holes" fill solutions/$lab/gradient.cl gradient tests/mutants/$lab/half-pixel.cl >"$wrong/gradient.cl"
+"$build/tools/known" put $lab half-pixel "$wrong"
 check "right results" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
     --submission solutions/$lab --output "$scratch/right"
 check "and wrong ones" exits 1 "$build/tools/grade" --build "$build" --lab 0 \

@@ -81,7 +81,7 @@ heart_ends
 for kind in c h; do
     # shellcheck disable=SC2046 # a list of names without blanks
     check "no fault in tests/: *.$kind" has_none . $(find tests -name "*.$kind" | sort |
-        grep -v -e '/\(mutants\|right\|stand_ins\|attacks\|native\|fuzz\)/' -e _known -e embree -e probe_stack -e test_builder_guard |
+        grep -v -e '/\(stand_ins\|attacks\|native\|fuzz\)/' -e _known -e embree -e probe_stack -e test_builder_guard |
         awk '{ folder = $0; sub(/[^\/]*$/, "", folder) } !seen[folder]++')
 done
 

@@ -92,8 +92,8 @@ ok $(($? == 0)) "a task that is not there cannot be read"
 
 # Two wrong answers: what the second one's run alone shows is said, with its cause.
 copy_lab solutions 03-kdtree-2d-render
-for answer in getContainingChild:left-right-swapped leaf_loop:red-blue-swapped; do
-    answer implicit2DRenderer_KD.cl "${answer%:*}" <"tests/mutants/03-kdtree-2d-render/${answer#*:}.cl"
+for answer in left-right-swapped red-blue-swapped; do
+    "$build/tools/known" put 03-kdtree-2d-render $answer "$scratch/submission"
 done
 # shellcheck disable=SC2046,SC2086 # options
 check "two wrong answers have the points of the third task" grades 1 35 $(kept 03) $submission
@@ -113,8 +113,8 @@ ok "$(grep -c 'make memcheck' "$said")" "so memcheck need not tell" "$(cat "$sai
 
 # Two more, of which the second one calls the first: beside a stand-in only its cause is said.
 copy_lab solutions 03-kdtree-2d-render
-for answer in getContainingChild:left-right-swapped descent:sixteen-levels; do
-    answer implicit2DRenderer_KD.cl "${answer%:*}" <"tests/mutants/03-kdtree-2d-render/${answer#*:}.cl"
+for answer in left-right-swapped sixteen-levels; do
+    "$build/tools/known" put 03-kdtree-2d-render $answer "$scratch/submission"
 done
 # shellcheck disable=SC2046,SC2086 # options
 check "an answer beside a stand-in earns what it passes alone" grades 1 65 $(kept 03) $submission

@@ -12,7 +12,7 @@ tools=${BUILD:-build}/tools
 # it with 20.
 seeds=${SEEDS:-1}
 
-labs=$(cd tests/mutants && echo "${LAB:-}"*/)
+labs=$(cd tests/known && echo "${LAB:-}"*/)
 for lab in $(heart 01-naive-2d/ "$labs"); do
     lab=${lab%/}
     # One lab in the other sandbox, where it can be had.

@@ -13,13 +13,13 @@ export seconds="$((2 * seeds))"
 
 # As many labs at a time as there are processors, the longest first.
 # shellcheck disable=SC2016 # they are another shell's variables
-wc -l tests/mutants/"${LAB:-}"*/*.c* | sort -rn | sed -n 's|.*tests/mutants/\([^/]*\)/.*|\1|p' | uniq | awk '!seen[$0]++' |
+wc -l tests/known/"${LAB:-}"*/wrong.diff | sort -rn | sed -n 's|.*tests/known/\([^/]*\)/.*|\1|p' |
     xargs -P "$(nproc)" -I NAME sh -c '
         "$build/tools/mutants" --together --seeds "$seeds" --lab "$1" --seed 1 --build "$build/native" \
             --sandbox none --time-limit "$seconds" >"$scratch/$1.out" 2>"$scratch/$1.errors"
         echo $? >"$scratch/$1.status"' native NAME
 
-for folder in tests/mutants/"${LAB:-}"*/; do
+for folder in tests/known/"${LAB:-}"*/; do
     lab=$(basename "$folder")
     pass_on "$scratch/$lab.out"
     [ "$(cat "$scratch/$lab.status")" -le 1 ]

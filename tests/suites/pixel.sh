@@ -198,7 +198,7 @@ done
 
 # ---- Wrong answers --------------------------------------------------------------------------------
 
-# mutant LAB FILE TASK MUTANT X,Y OPTION...: the skeleton's program over this known wrong answer to one task, with the
+# mutant LAB MUTANT X,Y OPTION...: the skeleton's program over this known wrong answer to one task, with the
 # solution's files beside it.
 course=$scratch/course
 mutant() {
@@ -207,26 +207,26 @@ mutant() {
     mkdir -p "$course/labs" "$course/build"
     for entry in kernels solutions common tests; do ln -s "$PWD/$entry" "$course/$entry"; done
     cp -r "solutions/$lab" "$course/labs/"
-    "$build/tools/holes" fill "solutions/$lab/$2" "$3" "tests/mutants/$lab/$4" >"$course/labs/$lab/$2" || return 1
-    at=$5
-    shift 5
+    "$build/tools/known" put "$lab" "$2" "$course/labs/$lab" || return 1
+    at=$3
+    shift 3
     (cd "$course" && "$build/pixel/labs/$lab" --pixel "$at" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null)
 }
 
-check "lab 03, left and right swapped: it runs" mutant 03 implicit2DRenderer_KD.cl getContainingChild \
-    left-right-swapped.cl 7,7 --scene example --max-depth 4 --leaf-size 1
+check "lab 03, left and right swapped: it runs" mutant 03 \
+    left-right-swapped 7,7 --scene example --max-depth 4 --leaf-size 1
 check "and parts at the second node" says '^they part at step 1$' '^   1  node 1: .*| node 2: '
-check "lab 03, the upper side closed: a pixel elsewhere is the same" mutant 03 implicit2DRenderer_KD.cl \
-    getContainingChild upper-side-closed.cl 7,7 --scene example --max-depth 4 --leaf-size 1
+check "lab 03, the upper side closed: a pixel elsewhere is the same" mutant 03 \
+    upper-side-closed 7,7 --scene example --max-depth 4 --leaf-size 1
 check "and says so" says '^they do the same in all 7 steps$'
-check "one on the border" mutant 03 implicit2DRenderer_KD.cl getContainingChild upper-side-closed.cl 5,5 \
+check "one on the border" mutant 03 upper-side-closed 5,5 \
     --scene example --max-depth 4 --leaf-size 1
 check "goes the wrong way" says '^they part at step 1$'
-check "lab 07, t_min kept: it runs" mutant 07 trace.cl next_child child-far-keeps-t_min.cl 1,1 \
+check "lab 07, t_min kept: it runs" mutant 07 child-far-keeps-t_min 1,1 \
     --scene tests/scenes/worked.nff --leaf-size 1
 check "and parts where that far child waits" says '^they part at step 1$' \
     '^        waiting: 2 \[1.5, 3.333\]  *| *waiting: 2 \[2.625, 3.333\]$'
-check "lab 07, any hit ends: it runs" mutant 07 trace.cl next_waiting waiting-never-ends-early.cl 1,1 \
+check "lab 07, any hit ends: it runs" mutant 07 waiting-never-ends-early 1,1 \
     --scene tests/scenes/worked.nff --leaf-size 1 --svg "$out/parted.svg"
 check "and parts where the search should have ended" says '^they part at step 8$' '^   8  node 2: .*| hit: sphere 2, t 2$'
 

@@ -56,8 +56,8 @@ check "is named" said 'line 1: found the column "hnt", expected these: check, po
 # A wrong leaf_loop, of which two checks fail: what is equally deep, and the work.
 wrong=$scratch/answer
 mkdir "$wrong"
-"$build/tools/holes" fill solutions/$lab/implicit2DRenderer_KD.cl leaf_loop \
-    tests/mutants/$lab/later-of-equals.cl >"$wrong/implicit2DRenderer_KD.cl"
+cp solutions/$lab/implicit2DRenderer_KD.cl "$wrong"
+"$build/tools/known" put $lab later-of-equals "$wrong"
 # grade PATH OPTION...
 grade() {
     path=$1

@@ -233,7 +233,7 @@ check "in one line" said 'say which folders: make term CLASSES="../grades-00 ../
 
 # Real gradings: right, a wrong answer, and one that does not compile, whose report quotes it.
 cp -R solutions/$lab "$scratch/flipped"
-"$build/tools/holes" fill solutions/$lab/gradient.cl gradient tests/mutants/$lab/flipped.cl >"$scratch/flipped/gradient.cl"
+"$build/tools/known" put $lab flipped "$scratch/flipped"
 cp -R solutions/$lab "$scratch/broken"
 printf '#error PRIVATE\n' >"$scratch/error.cl"
 "$build/tools/holes" fill solutions/$lab/gradient.cl gradient "$scratch/error.cl" >"$scratch/broken/gradient.cl"

@@ -62,13 +62,14 @@ static inline int list_sections(const Sections *sections, Section list[MAX_SECTI
 // A job, as the judge keeps it and as the probe reads it.
 typedef struct Open {
     const Judge *judge;
+    uint64_t seed;
     Job *job;
     Sections file;
 } Open;
 
 static inline Open job_open(int lab, uint64_t seed)
 {
-    Open open = {.judge = judge_of(lab_names[lab])};
+    Open open = {.judge = judge_of(lab_names[lab]), .seed = seed};
     cr_assert_not_null(open.judge, "%s", lab_names[lab]);
     Writer writer;
     writer_open(&writer);

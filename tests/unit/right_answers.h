@@ -1,93 +1,63 @@
-// The right answers to a lab's job, worked out on the host: what a probe writes around the lab's
-// solution.
+// The right answers to a lab's job: the solution's, which make has run natively before
+// (UNIT_ANSWERS in tests/tests.mk).
 //
-// They share no code with the kernels. Each header has the answerers of some labs; a section is
-// written as jobs.h has it. Read next: right_answers_2d.h.
+// Read next: right_answers_sections.h.
 #ifndef UNIT_RIGHT_ANSWERS_H
 #define UNIT_RIGHT_ANSWERS_H
 
 #include "judge_07.h"
-#include "right_answers_2d.h"
-#include "right_answers_3d.h"
-#include "right_answers_mirrors.h"
-#include "right_answers_sah.h"
-#include "right_answers_tiles.h"
-#include "right_answers_tree3d.h"
+#include "kept_answers.h"
+#include "path.h"
+#include "right_answers_sections.h"
 
-// As lab_names of test_judges.c has them. Free with sections_free().
-static Sections right_answers(int lab, const Sections *job)
+// The scenes whose work is judged, in labs that count it in more of them; -1 behind the last.
+static const int judged_work[][8] = {
+    [3] = {3, 7, 10, 13, -1},  // a wide one, empty leaves, a root that is a leaf, a long list
+    [5] = {1, 4, 7, -1},       // SMALL, TIES and "behind"
+    [7] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1, DEEP, FLAKE, -1},
+    [9] = {0, 8, 16, 21, -1},  // those of judge_09_sent.c
+};
+
+// Is a section judged? Not what it says of the device, the time, and that it came to its end.
+static inline int is_judged(size_t lab, const char *name)
 {
-    // The scenes whose work is judged.
-    static const int work_05[] = {1, 4, 7};  // SMALL, TIES and "behind"
-    static const int work_07[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
-                                  DEEP,       FLAKE};
-    static const int work_09[] = {0, 8, 16, 21};  // those of judge_09_sent.c
-    int work_10[N_TILE_SCENES];
-    for (int k = 0; k < N_TILE_SCENES; k++) {
-        work_10[k] = k;
+    static const char *const others[] = {"device", "grader-times", "end"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        if (strcmp(name, others[i]) == 0) {
+            return 0;
+        }
     }
+    if (strncmp(name, "work.", 5) != 0 || lab >= sizeof judged_work / sizeof *judged_work) {
+        return 1;
+    }
+    const int *scenes = judged_work[lab];
+    while (*scenes >= 0 && *scenes != atoi(name + 5)) {
+        scenes++;
+    }
+    return *scenes >= 0;
+}
+
+// The answers to the job of a seed, of one that make has run: what is judged of them. Free with
+// sections_free().
+static inline Sections right_answers(const char *lab, uint64_t seed)
+{
+    const char *build = getenv("BUILD"), *name;
+    char folder[PATH_MAX];
+    const void *bytes;
+    size_t place = 0, n_bytes;
+    Sections kept;
+    Allowance allowance = {0};
     Writer writer;
+    path_make(folder, "%s/native/answers/%s", build != NULL ? build : "build", lab);
+    cr_assert_eq(kept_answers_load(folder, seed, &kept, &allowance), 0,
+                 "%s: no answers to seed %d: make suites", folder, (int)seed);
     writer_open(&writer);
-    switch (lab) {
-    case 0:
-        answer_pictures(&writer, lab, job);
-        break;
-    case 1:
-        answer_overlaps(&writer, job);
-        answer_pictures(&writer, lab, job);
-        break;
-    case 2:
-        answer_leaves_and_boxes(&writer, job);
-        answer_lists(&writer, job);
-        answer_trees(&writer, job);
-        break;
-    case 3:
-        answer_children(&writer, job);
-        answer_pictures(&writer, lab, job);
-        break;
-    case 4:
-        answer_axes_and_pixels(&writer, job);
-        answer_pictures_3d(&writer, job, NULL, NULL, NULL, 0);
-        break;
-    case 5:
-        answer_sphere_functions(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_all, hit_color, work_05,
-                           sizeof work_05 / sizeof *work_05);
-        break;
-    case 6:
-        answer_planes_and_overlaps(&writer, job);
-        answer_leaves_3d(&writer, job);
-        answer_trees_3d(&writer, job);
-        break;
-    case 7:
-        answer_clips_and_sides(&writer, job);
-        answer_planes_and_leaves(&writer, job);
-        answer_steps(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_tree, hit_color, work_07,
-                           sizeof work_07 / sizeof *work_07);
-        break;
-    case 8:
-        answer_areas_and_costs(&writer, job);
-        answer_best_splits(&writer, job);
-        answer_decisions(&writer, job);
-        answer_trees_sah(&writer, job);
-        break;
-    case 9:
-        answer_rays(&writer, job);
-        answer_blocks(&writer, job);
-        answer_lits(&writer, job);
-        answer_pictures_3d(&writer, job, find_in_leaf, color_over_mirrors, work_09,
-                           sizeof work_09 / sizeof *work_09);
-        break;
-    default:
-        answer_tile_planes(&writer, job);
-        answer_tile_children(&writer, job);
-        answer_tile_waiting(&writer, job);
-        answer_cones(&writer, job);
-        answer_circle_rows(&writer, job);
-        answer_circle_tiles(&writer, job);
-        answer_pictures_3d(&writer, job, find_for_nothing, hit_color, work_10, N_TILE_SCENES);
+    while ((bytes = sections_next(&kept, &place, &name, &n_bytes)) != NULL) {
+        if (is_judged((size_t)atoi(lab), name)) {
+            answer(&writer, name, bytes, n_bytes);
+        }
     }
+    sections_free(&kept);
     return writer_close(&writer);
 }
 

@@ -1,7 +1,7 @@
 // judge/judge_NN: each lab's checks and job; right answers pass, missing ones do not.
 //
-// The right answers are worked out in plain C; that they pass shows that what other tests do to
-// them afterwards is what fails. Read next: right_answers.h.
+// The right answers are the solution's; that they pass shows that what other tests do to them
+// afterwards is what fails. Read next: right_answers.h.
 #include "judged_jobs.h"
 #include "lot.h"
 #include "one_way.h"
@@ -125,7 +125,7 @@ LAB_TEST(judges, right_answers_pass)
 {
     for (uint64_t seed = 1; seed <= 3; seed++) {
         Open open = job_open(*lab, seed);
-        Sections answers = right_answers(*lab, &open.file);
+        Sections answers = right_answers(lab_names[*lab], open.seed);
         for (int adopted = 0; adopted <= 1; adopted++) {
             for (int i = 0; i < open.judge->n_checks; i++) {
                 const Verdict verdict = job_judge(open.job, i, &answers);

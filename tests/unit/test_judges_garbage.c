@@ -2,7 +2,7 @@
 // of which one word is wrong.
 #include "jobs_02.h"
 #include "jobs_06.h"
-#include "jobs_07.h"
+#include "judge_07.h"
 #include "judged_jobs.h"
 #include "random.h"
 
@@ -57,7 +57,7 @@ static Sections damaged(const Section list[], int n, int victim, Damage damage)
 LAB_TEST(judges_garbage, a_section_of_a_wrong_size_is_missing)
 {
     Open open = job_open(*lab, 2);
-    Sections answers = right_answers(*lab, &open.file);
+    Sections answers = right_answers(lab_names[*lab], open.seed);
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     for (int victim = 0; victim < n; victim++) {
@@ -149,7 +149,7 @@ static Sections garbled(const Section list[], int n, int victim, int kind, Rando
 LAB_TEST(judges_garbage, garbage_passes_no_check)
 {
     Open open = job_open(*lab, 3);
-    Sections answers = right_answers(*lab, &open.file);
+    Sections answers = right_answers(lab_names[*lab], open.seed);
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     Random random = {4};
@@ -199,7 +199,7 @@ static int passes_everything(const Open *open, const Sections *answers, int *fir
 LAB_TEST(judges_garbage, garbage_in_one_section_is_noticed)
 {
     Open open = job_open(*lab, 5);
-    Sections answers = right_answers(*lab, &open.file);
+    Sections answers = right_answers(lab_names[*lab], open.seed);
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     Random random = {6};
@@ -290,7 +290,7 @@ static u32 other_word(int lab, const char *name, int is_decision, const u32 *wor
 LAB_TEST(judges_garbage, one_wrong_word_is_noticed)
 {
     Open open = job_open(*lab, 9);
-    Sections answers = right_answers(*lab, &open.file);
+    Sections answers = right_answers(lab_names[*lab], open.seed);
     Random random = {10};
     int first = 0;
     for (size_t s = 0; s < sizeof whole_sections / sizeof *whole_sections; s++) {

@@ -1,4 +1,4 @@
-// mutation/known_answer and mutation/groups: which known answers stand in the solution together,
+// mutation/groups and mutation/tried_alone: which known answers stand in the solution together,
 // and which are tried alone.
 #include "groups.h"
 
@@ -30,8 +30,7 @@ static int n_answers;
 static void add(int task, const char *check)
 {
     KnownAnswer *answer = &answers[n_answers];
-    *answer = (KnownAnswer){.task = &tasks[task], .is_right = check == NULL, .text = ""};
-    snprintf(answer->check, sizeof answer->check, "%s", check ? check : "");
+    *answer = (KnownAnswer){.task = &tasks[task], .is_right = check == NULL, .check = check};
     all[n_answers++] = answer;
 }
 
@@ -120,7 +119,7 @@ Test(known_answers, the_seed_says_which_one_of_a_check_is_tried_alone)
     add(WAITING, "waiting-picture");
     add(WAITING, "waiting-picture");
     add(WAITING, "waiting-picture");
-    answers[0].text = "// mutant: ...\n// alone: passes, as no stand-in shows it\n";
+    answers[0].passes_alone = 1;
     answers_choose_alone(&session, all, n_answers, 0);
     cr_expect_eq(answers[0].is_tried_alone, 0, "it would pass");
     cr_expect_eq(answers[1].is_tried_alone, 0);

@@ -1,5 +1,6 @@
 // grader/stands_out: what an attack tries is named, and no honest text is.
 #include "extra_files.h"
+#include "known_answer.h"
 #include "stands_out.h"
 #include "surroundings.h"
 
@@ -97,33 +98,56 @@ Test(stands_out, honest_texts_do_not)
     }
 }
 
-// A solution, a skeleton and a student's mistake are no attack.
+// Expect that nothing is said of a text, and count it.
+static void expect_nothing(const char *text, const char *name, int *n_texts)
+{
+    char *notes = notes_on(text);
+    cr_expect_str_eq(notes, "", "%s: %s", name, notes);
+    free(notes);
+    ++*n_texts;
+}
+
+// A solution or a skeleton is no attack. main.c and what it calls is never handed in.
 Test(stands_out, nothing_of_the_course_does)
 {
-    static const char *const patterns[] = {"solutions/*/*.c*", "labs/*/*.c*",
-                                           "tests/mutants/*/*.c*", "tests/right/*/*.c*"};
     int n_files = 0;
-    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
-        glob_t found = {0};
-        glob(patterns[i], 0, NULL, &found);
-        for (size_t k = 0; k < found.gl_pathc; k++) {
-            char *text = text_file_read(found.gl_pathv[k]);
-            char *notes = notes_on(text);
-            // main.c and what it calls is never handed in; who forges or hides counted work makes
-            // no mistake.
-            const char *path = found.gl_pathv[k];
-            if (strstr(path, "/main.c") == NULL && strstr(path, "/circles.c") == NULL &&
-                strstr(path, "forged") == NULL && strstr(path, "work-of-its-own") == NULL &&
-                strstr(path, "hidden-") == NULL) {
-                cr_expect_str_eq(notes, "", "%s: %s", found.gl_pathv[k], notes);
-                n_files++;
-            }
-            free(notes);
+    glob_t found = {0};
+    glob("{solutions,labs}/*/*.c*", GLOB_BRACE, NULL, &found);
+    for (size_t k = 0; k < found.gl_pathc; k++) {
+        const char *path = found.gl_pathv[k];
+        if (strstr(path, "/main.c") == NULL && strstr(path, "/circles.c") == NULL) {
+            char *text = text_file_read(path);
+            expect_nothing(text, path, &n_files);
             free(text);
         }
-        globfree(&found);
     }
-    cr_expect_gt(n_files, 100, "found %d files: not started from the top folder?", n_files);
+    globfree(&found);
+    cr_expect_gt(n_files, 30, "found %d files: not started from the top folder?", n_files);
+}
+
+// Nor is a student's mistake; who forges or hides counted work makes none.
+Test(stands_out, no_known_answer_does)
+{
+    static KnownAnswers answers;
+    int n_answers = 0;
+    glob_t found = {0};
+    glob(KNOWN_FOLDER "/[0-9]*", 0, NULL, &found);
+    for (size_t k = 0; k < found.gl_pathc; k++) {
+        Manifest manifest;
+        cr_assert_eq(manifest_load("solutions", strrchr(found.gl_pathv[k], '/') + 1, &manifest), 0);
+        cr_assert_eq(known_answers_read(&answers, &manifest), 0);
+        for (int i = 0; i < answers.n; i++) {
+            const char *name = answers.all[i].name;
+            if (strstr(name, "forged") == NULL && strstr(name, "work-of-its-own") == NULL &&
+                strstr(name, "hidden-") == NULL) {
+                expect_nothing(answers.all[i].text, name, &n_answers);
+            }
+        }
+        known_answers_free(&answers);
+        manifest_free(&manifest);
+    }
+    globfree(&found);
+    cr_expect_gt(n_answers, 1000, "found %d answers: not started from the top folder?", n_answers);
 }
 
 Test(stands_out, is_short_and_says_each_thing_once)

@@ -7,7 +7,7 @@
 #ifndef GRADER_DIAGNOSIS_H
 #define GRADER_DIAGNOSIS_H
 
-// The kinds of mistakes that a report must be able to name (tests/mutants/README.md).
+// The kinds of mistakes that a report must be able to name (tests/known/README.md).
 typedef enum Mistake {
     MISTAKE_NONE,  // of none of these kinds, or not recognised
     MISTAKE_MIRRORED_X,

@@ -1,9 +1,0 @@
-// mutant: the squares are subtracted
-// task: circle_overlaps_box
-// caught by: overlap-corner
-// says: added, not subtracted
-    const double nearest_x = fmin(fmax(circle.x, box.minX), box.maxX);
-    const double nearest_y = fmin(fmax(circle.y, box.minY), box.maxY);
-    const double dx = circle.x - nearest_x;
-    const double dy = circle.y - nearest_y;
-    return dx * dx - dy * dy <= (double)circle.radius * circle.radius;

@@ -1,7 +1,0 @@
-// mutant: forward goes from the point looked at to the eye
-// task: camera_axes
-// caught by: axes-forward
-// says: backwards
-    *forward = vec3_normalized(vec3_minus(view.from, view.at));
-    *right = vec3_normalized(vec3_cross(*forward, view.up));
-    *up = vec3_cross(*right, *forward);

@@ -1,7 +1,0 @@
-// mutant: forward is as long as the view
-// task: camera_axes
-// caught by: axes-orthonormal
-// says: unit
-    *forward = vec3_minus(view.at, view.from);
-    *right = vec3_normalized(vec3_cross(*forward, view.up));
-    *up = vec3_cross(*right, *forward);

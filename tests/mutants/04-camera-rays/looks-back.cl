@@ -1,8 +1,0 @@
-// mutant: the display stands behind the eye
-// task: pixel_on_display
-// caught by: display-sides
-// says: expected
-    const float pixel_size = fov / width;
-    const float right = (x + 0.5f - 0.5f * width) * pixel_size;
-    const float up = (0.5f * height - (y + 0.5f)) * pixel_size;
-    return (float3)(right, up, -1.0f);

@@ -1,9 +1,0 @@
-// mutant: the length of l for its square
-// task: intersect_sphere
-// caught by: sphere-near
-// says: is not squared
-    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
-    const float b = dot(c, ray.direction);
-    const float3 l = c - b * ray.direction;
-    const float disc = sphere.radius * sphere.radius - length(l);
-    return nearest_root(b, disc, sphere.radius, ray.t_min);

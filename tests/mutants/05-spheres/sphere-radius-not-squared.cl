@@ -1,9 +1,0 @@
-// mutant: r for r²
-// task: intersect_sphere
-// caught by: sphere-near
-// says: not squared
-    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
-    const float b = dot(c, ray.direction);
-    const float3 l = c - b * ray.direction;
-    const float disc = sphere.radius - dot(l, l);
-    return nearest_root(b, disc, sphere.radius, ray.t_min);

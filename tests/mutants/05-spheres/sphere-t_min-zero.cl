@@ -1,9 +1,0 @@
-// mutant: 0 for the ray's t_min
-// task: intersect_sphere
-// caught by: sphere-inside
-// says: t_min is the ray's
-    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
-    const float b = dot(c, ray.direction);
-    const float3 l = c - b * ray.direction;
-    const float disc = sphere.radius * sphere.radius - dot(l, l);
-    return nearest_root(b, disc, sphere.radius, 0.0f);

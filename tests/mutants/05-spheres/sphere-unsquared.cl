@@ -1,9 +1,0 @@
-// mutant: neither the radius nor the length of l is squared
-// task: intersect_sphere
-// caught by: sphere-near
-// says: neither
-    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
-    const float b = dot(c, ray.direction);
-    const float3 l = c - b * ray.direction;
-    const float disc = sphere.radius - length(l);
-    return nearest_root(b, disc, sphere.radius, ray.t_min);

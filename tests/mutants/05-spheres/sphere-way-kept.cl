@@ -1,9 +1,0 @@
-// mutant: l keeps its part along the ray
-// task: intersect_sphere
-// caught by: sphere-inside
-// says: whole way to the centre
-    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
-    const float b = dot(c, ray.direction);
-    const float3 l = c;
-    const float disc = sphere.radius * sphere.radius - dot(l, l);
-    return nearest_root(b, disc, sphere.radius, ray.t_min);

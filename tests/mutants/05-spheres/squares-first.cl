@@ -1,8 +1,0 @@
-// mutant: c . c - b² for l . l: squared before subtracted
-// task: intersect_sphere
-// caught by: sphere-far-small
-// says: digits
-    const float3 c = (float3)(sphere.x, sphere.y, sphere.z) - ray.origin;
-    const float b = dot(c, ray.direction);
-    const float disc = sphere.radius * sphere.radius - (dot(c, c) - b * b);
-    return nearest_root(b, disc, sphere.radius, ray.t_min);

@@ -1,8 +1,0 @@
-// mutant: the sphere taken to stand at the origin
-// task: intersect_textbook
-// caught by: textbook-outside
-// says: found
-    const float3 o = ray.origin;
-    const float half_b = dot(o, ray.direction);
-    const float c = dot(o, o) - sphere.radius * sphere.radius;
-    return nearest_root(-half_b, half_b * half_b - c, sphere.radius, ray.t_min);

@@ -1,8 +1,0 @@
-// mutant: the radius grows by a millionth of itself
-// task: sphere_overlaps_box
-// caught by: overlap-corner
-// says: epsilon
-    const double dx = outside(sphere.x, box.min[0], box.max[0]);
-    const double dy = outside(sphere.y, box.min[1], box.max[1]);
-    const double dz = outside(sphere.z, box.min[2], box.max[2]);
-    return sqrt(dx * dx + dy * dy + dz * dz) <= fabs((double)sphere.radius) * (1 + 1e-6);

@@ -1,8 +1,0 @@
-// mutant: the distance in double, but the radius is squared in float
-// task: sphere_overlaps_box
-// caught by: overlap-touching
-// says: radius squared in float
-    const double dx = outside(sphere.x, box.min[0], box.max[0]);
-    const double dy = outside(sphere.y, box.min[1], box.max[1]);
-    const double dz = outside(sphere.z, box.min[2], box.max[2]);
-    return dx * dx + dy * dy + dz * dz <= sphere.radius * sphere.radius;

@@ -1,9 +1,0 @@
-// mutant: divided by the inverse
-// task: children_on_ray
-// caught by: children-cases
-// says: inverse
-    *t_split = (node.split_pos - origin) / inverse;
-    if (!(*t_split > 0.0f && *t_split <= t_max)) {
-        return ONLY_NEAR;
-    }
-    return *t_split < t_min ? ONLY_FAR : BOTH;

@@ -1,6 +1,0 @@
-// mutant: && between the limits
-// task: is_leaf_by_cost
-// caught by: leaf-limits
-// says: each limit
-    return (level >= limits.maxDepth && n_spheres <= (u32)limits.targetElementsPerNode) ||
-           best_cost >= KD_COST_TEST * n_spheres;

@@ -1,8 +1,0 @@
-// mutant: the edges, not the faces
-// task: surface_area
-// caught by: area-boxes
-// says: twelve edges
-    const double x = (double)box.max[0] - box.min[0];
-    const double y = (double)box.max[1] - box.min[1];
-    const double z = (double)box.max[2] - box.min[2];
-    return 4 * (x + y + z);

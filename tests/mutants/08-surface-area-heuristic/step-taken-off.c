@@ -1,6 +1,0 @@
-// mutant: the split is compared without its step
-// task: is_leaf_by_cost
-// caught by: leaf-cost
-// says: in the split.s cost alone
-    return level >= limits.maxDepth || n_spheres <= (u32)limits.targetElementsPerNode ||
-           best_cost - KD_COST_TRAVERSAL >= KD_COST_TEST * n_spheres;

@@ -1,8 +1,0 @@
-// mutant: the step at the node costs nothing
-// task: split_cost
-// caught by: cost-planes
-// says: KD_COST_TRAVERSAL
-    BBox3D lower = box, higher = box;
-    lower.max[split.axis] = higher.min[split.axis] = split.pos;
-    return KD_COST_TEST * (surface_area(lower) * n_lower + surface_area(higher) * n_higher) /
-           surface_area(box);

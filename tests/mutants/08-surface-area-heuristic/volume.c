@@ -1,8 +1,0 @@
-// mutant: the room in the box
-// task: surface_area
-// caught by: area-boxes
-// says: the volume
-    const double x = (double)box.max[0] - box.min[0];
-    const double y = (double)box.max[1] - box.min[1];
-    const double z = (double)box.max[2] - box.min[2];
-    return x * y * z;

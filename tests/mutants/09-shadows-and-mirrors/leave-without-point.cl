@@ -1,6 +1,0 @@
-// mutant: the coordinates are not in the sum
-// task: leave_surface
-// caught by: leave-scale
-// says: coordinate is missing
-    const float largest = fmax(fmax(fabs(point.x), fabs(point.y)), fabs(point.z));
-    return point + SURFACE_ERROR * (t + fabs(radius)) * normal;

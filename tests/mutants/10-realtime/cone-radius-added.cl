@@ -1,7 +1,0 @@
-// mutant: the sign of the radius
-// task: cone_misses_sphere
-// caught by: cone-clear
-// says: wrong side
-    const float along = dot(centre, cone.axis);
-    const float aside = length(centre - along * cone.axis);
-    return aside * cone.cosine - along * cone.sine > -fabs(radius);

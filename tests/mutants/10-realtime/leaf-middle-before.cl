@@ -1,8 +1,0 @@
-// mutant: a point beside the tile is asked
-// task: tile_leaf
-// caught by: leaf-tile
-// says: ends in node
-    while (is_inner(nodes[id], work)) {
-        const int at = nodes[id].split_axis == 0 ? x : y;
-        id = nodes[id].first + (at - 8 < nodes[id].split_pos ? 0 : 1);
-    }
