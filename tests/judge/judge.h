@@ -126,7 +126,8 @@ typedef struct Judge {
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);
 } Judge;
 
-// Those that a program is linked with, NULL behind the last: one in a judge, all in tests (judges.c).
+// Those that a program is linked with, NULL behind the last: one in a judge, all in tests
+// (judges.c).
 extern const Judge *const judges[];
 
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
