@@ -74,7 +74,8 @@ setup_for = grade
 graded_lab = $(if $(or $(findstring %,$(LAB)),$(word 2,$(LAB))),,$(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)))
 say_which_lab = test -n "$$LAB" || { echo "make $@: say which lab: make $@ LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
 # The grader of one lab: what a bundle for another system builds, and whoever grades.
-lab_grader = $(addprefix $(OUT)/tools/,grade unpack) $(lab_judge) $(OUT)/probes/find_device $(OUT)/no_macros.h \
+lab_grader = $(addprefix $(OUT)/tools/,grade unpack) $(lab_judge) $(OUT)/no_macros.h \
+    $(if $(wildcard solutions/$(graded_lab)/lab.json),,$(OUT)/probes/find_device) \
     $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES)) \
     $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
 graded: $$(lab_grader)
