@@ -69,7 +69,7 @@ objects = $(patsubst %,$(OUT)/obj/%.o,$(sort $(1)))
 # Three recipes: an object, which is as old as the moment in which its compiler began, so that a header that is
 # saved while it runs is newer; an archive of all objects that its target depends on; a program of all objects and archives.
 define compile  # COMPILER AND FLAGS, for whom
-	@mkdir -p $(@D) && : >$@.begun
+	@{ [ -d $(@D) ] || mkdir -p $(@D); } && : >$@.begun
 	$(call say,compile $<$(2))$(1) -MMD -MP $(INCLUDES) $(EXTRA) -c $< -o $@ && touch -r $@.begun $@
 endef
 archive = @mkdir -p $(@D) && rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)

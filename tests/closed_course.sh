@@ -7,5 +7,5 @@ set -eu
 build=${BUILD:-build}
 mkdir -m 700 "$1" "$1/build"
 cp -R common kernels labs solutions tests "$1"
-cp -R "$build/tools" "$build/probes" "$build/earlier" "$build/libcommon.a" "$build/no_macros.h" \
+cp -R "$build/tools" "$build/judges" "$build/probes" "$build/earlier" "$build/libcommon.a" "$build/no_macros.h" \
     "$build/libimage_codec.so" "$1/build"

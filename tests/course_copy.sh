@@ -6,7 +6,7 @@ build=${BUILD:-build}
 for part in * .clang-format; do
     case $part in build | "$build") ;; *) cp -pR "$part" "$course" ;; esac
 done
-for part in obj labs solutions probes tools; do cp -pR "$build/$part" "$course/build"; done
+for part in obj labs solutions probes judges tools; do cp -pR "$build/$part" "$course/build"; done
 cp -p "$build"/*.a "$build"/*.so "$build/no_macros.h" "$course/build"
 cd "$course" || exit 1
 export BUILD=build

@@ -2,6 +2,7 @@
 # the figures. The bench and fuzzing have files of their own. Nothing of this is in a handout.
 
 setup_for = demo
+grader: $(JUDGES)
 AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class -I tests/copies
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
@@ -27,7 +28,7 @@ grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(O
 
 grader: $(addprefix $(OUT)/tools/,holes gradebook points term known mutants mutate pairs)
 .PHONY: grade-class
-grade-class: grader  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
+grade-class: graded $(addprefix $(OUT)/tools/,gradebook points)  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@exec tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
 	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
 	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
@@ -90,13 +91,13 @@ handout:  ## install what is missing, pack what students get: LAB=03 [POINTS=fil
 	@$(say_which_lab)
 	@common/setup/install.sh handout
 	@$(MAKE) --no-print-directory pack
-pack: $(OUT)/tools/holes $(JUDGES)
+pack: $(OUT)/tools/holes
 	@$(own_points) tests/handout/pack.sh $(OUT)/tools "$$LAB" $(OUT)/handout $(if $(own_points),$(OUT)/own-points.json)
 
 release:  ## install what is missing, make slides, notes and all handouts for lecturers, in build/release
 	@common/setup/install.sh demo notes handout
 	@$(MAKE) --no-print-directory release-pack
-release-pack: notes-html notes-pdf $(OUT)/tools/holes grader $(JUDGES)
+release-pack: notes-html notes-pdf $(OUT)/tools/holes grader
 	@rm -rf $(OUT)/release-handouts
 	@for lab in $(LABS); do tests/handout/pack.sh $(OUT)/tools $$lab $(OUT)/release-handouts >/dev/null || exit 1; done
 	@printf '%s\n' $(NOTES_HTML) $(NOTES_PDF) | tests/handout/release.sh $(NOTES) $(OUT)/release-handouts $(BUILD)/release
@@ -114,6 +115,14 @@ NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/memcheck/faults/ -e ^tests/a
 # Older ones, that editors may have, know no InsertBraces: it is not in .clang-format.
 format:  ## put every source into the one format
 	clang-format-19 --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
+
+# ---- Judges of all labs, for tests and tools ------------------------------------------------
+
+$(OUT)/libjudge.a: $(call objects,$(filter-out %/judge_tool.c,$(wildcard $(JUDGE_ROOMS:%=%/*.c))) $(BUILDERS))
+	$(archive)
+# The table, anew when a lab comes or goes.
+$(OUT)/obj/tests/judge/judges.c.o: EXTRA = $(GRADER_INCLUDES) -D'JUDGES=$(foreach lab,$(JUDGED),JUDGE($(firstword $(subst -, ,$(lab)))))'
+$(OUT)/obj/tests/judge/judges.c.o: tests/judge
 
 # ---- Tests ----------------------------------------------------------------------------------
 
@@ -207,7 +216,7 @@ suites: all $(UNIT_ANSWERS) $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures 
     $(filter $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(VIEWS) $(PIXELS))
 heart: suites unit-tests
 # The bench is built here, too: it must not break unnoticed.
-tests: suites views pixels $(FIGURES) $(OUT)/tools/plane_costs $$(BENCH_PROGRAMS) $(JUDGES) $(LAB_JUDGES)  ## build all that the tests run
+tests: suites views pixels $(FIGURES) $(OUT)/tools/plane_costs $$(BENCH_PROGRAMS)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run all tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh

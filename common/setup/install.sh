@@ -15,18 +15,17 @@ list=$(dirname "$0")/packages.txt
 # The names of the packages that the target needs, as this distribution calls them.
 # "target?" marks one that may be missing: it is installed where apt knows it.
 ubuntu=$(grep -c '^ID=ubuntu' /etc/os-release 2>/dev/null || true)
-machine=$(dpkg --print-architecture 2>/dev/null || true)
 packages_of() {
     mark=$1
     shift
-    awk -v targets="$*" -v mark="$mark" -v ubuntu="$ubuntu" -v machine="$machine" '
+    awk -v targets="$*" -v mark="$mark" -v ubuntu="$ubuntu" '
     BEGIN { n_targets = split(targets, wanted, " ") }
     /^#/ || NF < 2 { next }
     {
         is_needed = 0
         for (i = 1; i <= n_targets; i++) { if (index("," $2 ",", "," wanted[i] mark ",")) { is_needed = 1 } }
-        if (!is_needed || (split($1, kinds, "@") == 2 && kinds[2] != machine)) { next }
-        n = split(kinds[1], names, "/")
+        if (!is_needed) { next }
+        n = split($1, names, "/")
         print (ubuntu && n == 2 ? names[2] : names[1])
     }' "$list"
 }

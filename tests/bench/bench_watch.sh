@@ -77,7 +77,7 @@ for manifest in labs/*/lab.json; do
     mkdir -p build/native/probes
     cp -pR "$native/probes/$lab"* build/native/probes
     cp -p "$native/libcommon.a" build/native
-    for part in tools earlier no_macros.h; do ln -s ../$part build/native/$part; done
+    for part in tools judges earlier no_macros.h; do ln -s ../$part build/native/$part; done
     for file in $(jq -r '.files[]' "$manifest"); do cp "solutions/$lab/$file" "labs/$lab/"; done
     way='PoCL alone' && rounds '' >>"$results"
     way='natively first' && rounds '--native build/native' >>"$results"

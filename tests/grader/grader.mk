@@ -7,6 +7,8 @@ GRADER_SOURCES := $(filter-out $(GRADER_MAINS),$(foreach room,$(GRADER_ROOMS),$(
 PROBE_FOLDERS := tests/probes $(sort $(dir $(wildcard tests/probes/*/jobs_*.h)))
 GRADER_INCLUDES = $(addprefix -I ,$(GRADER_ROOMS) $(PROBE_FOLDERS)) $(AUTHORS_INCLUDES)
 $(OUT)/obj/tests/%.o: EXTRA = $(GRADER_INCLUDES)
+# The grader waits for what it starts: to optimise it takes longer than it saves.
+$(OUT)/obj/tests/grader/%.o $(OUT)/obj/tests/desk/%.o: OPTIMISATION = -O0 -g
 
 $(OUT)/libgrader.a: $(call objects,$(GRADER_SOURCES) tests/probes/sections.c)
 	$(archive)
@@ -63,7 +65,7 @@ $(OUT)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/lib
 	$(call link,-lOpenCL -lm)
 
 .PHONY: grader graded lab-grader grade
-grader: $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h $(PROBES) $(RACES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
+grader: $(addprefix $(OUT)/tools/,grade unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h $(PROBES) $(RACES) $(LABS:%=$(OUT)/earlier/%.a)  ## build the grader and its probes
 
 # Which packages `make setup` installs (common/setup/packages.txt): what a handout needs. The course needs more.
 setup_for = grade
@@ -72,10 +74,11 @@ setup_for = grade
 graded_lab = $(if $(or $(findstring %,$(LAB)),$(word 2,$(LAB))),,$(filter $(LAB) $(LAB)-% 0$(LAB)-%,$(LABS)))
 say_which_lab = test -n "$$LAB" || { echo "make $@: say which lab: make $@ LAB=$(EXAMPLE_LAB)" >&2; exit 2; }
 # The grader of one lab: what a bundle for another system builds, and whoever grades.
-lab_grader = $(addprefix $(OUT)/tools/,grade judge unpack) $(OUT)/probes/find_device $(OUT)/no_macros.h \
+lab_grader = $(addprefix $(OUT)/tools/,grade unpack) $(lab_judge) $(OUT)/no_macros.h \
+    $(if $(wildcard solutions/$(graded_lab)/lab.json),,$(OUT)/probes/find_device) \
     $(filter $(addprefix $(OUT)/probes/,$(graded_lab) $(graded_lab).o $(graded_lab)-race),$(PROBES) $(RACES)) \
     $(patsubst %,$(OUT)/earlier/%.a,$(graded_lab))
-graded: $(lab_grader)
+graded: $$(lab_grader)
 lab-grader: graded
 	@test -n "$(graded_lab)" || { printf 'make $@: found LAB="%s", expected the number or name of a lab: $(LABS)\n' "$$LAB" >&2; exit 2; }
 

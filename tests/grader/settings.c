@@ -3,7 +3,6 @@
 
 #include "complain.h"
 #include "course_folder.h"
-#include "home_seeds.h"
 #include "manifest.h"
 #include "number.h"
 #include "option_table.h"
@@ -133,18 +132,12 @@ static int read_sandbox(const char *option, const char *text, SandboxKind *kind)
     return -1;
 }
 
-// A seed that nobody can foresee. In a handout it is one of home, so that its report tells
-// everything; in the course never. Returns 0, or -1 after one message.
-static int draw_seed(const char *lab, uint64_t *seed)
+// A seed that nobody can foresee. Returns 0, or -1 after one message.
+static int draw_seed(uint64_t *seed)
 {
     if (getrandom(seed, sizeof *seed, 0) != sizeof *seed) {
         complain("grade: the kernel gives no random bytes for a seed");
         return -1;
-    }
-    if (!manifest_has_solution(lab)) {
-        *seed %= HOME_SEEDS;
-    } else if (*seed < HOME_SEEDS) {
-        *seed += HOME_SEEDS;
     }
     return 0;
 }
@@ -242,7 +235,7 @@ int settings_parse(int argc, char **argv, Settings *settings)
     if (settings->manifest != NULL && take_own(settings, &has_seed) != 0) {
         return -1;
     }
-    if (!has_seed && !given.reads_seed && draw_seed(settings->lab, &settings->seed) != 0) {
+    if (!has_seed && !given.reads_seed && draw_seed(&settings->seed) != 0) {
         return -1;
     }
     return set_folders(&given, settings);

@@ -1,18 +1,20 @@
-# What is otherwise in a handout. The judge is a program already.
+# What is otherwise in a handout. The text of its judge is packed, so that nobody reads an answer there by
+# accident. It is no secret (tests/what-protects-a-grade.md).
 
-$(OUT)/tools/judge: tests/judge/judge-$(shell uname -m)
-	@mkdir -p $(@D)
-	@cp $< $@
-
-# The grader grades one submission after the other, by hand: to optimise it would take longer than it saves.
-$(OUT)/obj/tests/grader/%.o $(OUT)/obj/tests/desk/%.o: OPTIMISATION = -O0 -g
+# make unpacks it first, and then reads its rules.
+ifneq ($(filter-out setup doctor help clean,$(or $(MAKECMDGOALS),all)),)
+$(BUILD)/judge/judge.mk: tests/judge/judge.tar | $(BUILD)/ready
+	@rm -rf $(@D) && mkdir -p $(@D) && tar -xmf $< -C $(@D)
+include $(BUILD)/judge/judge.mk
+endif
 
 # The first `make grade` says how far it is, and not what it compiles: on a terminal in one line, else now and then.
 ONCE_OBJECTS = $(call objects,$(filter-out %/sandbox_init_tool.c,$(GRADER_MAINS)) $(GRADER_SOURCES) $(wildcard common/*.c common/*.cpp) \
     tests/probes/$(graded_lab)/main.c $(addprefix tests/probes/,find_device.c probe.c probe_host.c probe_trees.c sections.c) \
-    $(call earlier_sources,$(graded_lab)) $(if $(SUBMISSION),,$(DESK_SOURCES)))
+    $(call earlier_sources,$(graded_lab)) $(if $(SUBMISSION),,$(DESK_SOURCES))) \
+    $(lab_judge:$(OUT)/%=$(OUT)/obj/%.o) $(call judge_objects,$(graded_lab))
 ONCE_RACES = $(filter $(RACES),$(lab_grader))
-ONCE = $(filter-out %/judge %.a,$(lab_grader)) $(if $(SUBMISSION),,$(OUT)/tools/desk) \
+ONCE = $(filter-out %.a,$(lab_grader)) $(if $(SUBMISSION),,$(OUT)/tools/desk) \
     $(filter $(OUT)/probes/$(graded_lab).o,$(PROBES:%=%.o)) \
     $(OUT)/libimage_codec.so $(SANDBOX_INIT) $(ONCE_OBJECTS) $(if $(ONCE_RACES),$(call objects,tests/probes/$(graded_lab)/race.c \
     $(filter-out %/main.c,$(wildcard labs/$(graded_lab)/*.c))))

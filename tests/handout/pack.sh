@@ -5,14 +5,13 @@
 #     tests/handout/pack.sh TOOLS LAB FOLDER [MANIFEST]
 #
 # It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, the grader, this
-# lab's probe, the judge as a program, and a README of its own; never anything of this lab's solution or of
-# later labs, nor any text of the judge. Of the course only tracked files go in. The same commit gives the same
+# lab's probe and judge, and a README of its own; never anything of this lab's solution or of later labs. Of the
+# course only tracked files go in. The same commit gives the same
 # bytes. TOOLS is the folder with the built tool `holes`. MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c).
 set -eu
-unset TAR_OPTIONS  # they come before those below
+. tests/handout/archive.sh
 
 holes=$1/holes
-judges=$(dirname "$1")/judges
 folder=$3
 
 fail() {
@@ -49,12 +48,14 @@ copy() {
 # ---- What goes in -----------------------------------------------------------------------------
 
 git ls-files -- common kernels LICENSE Makefile .clang-format .clangd compile_flags.txt .devcontainer .vscode .editorconfig \
-    .gitattributes .gitignore Containerfile | copy
+    .gitattributes .gitignore Containerfile |
+    # What follows later labs' kernels finds none here.
+    awk -v lab="$number" '!match($0, /^common\/follow\/(steps\/)?[0-9][0-9]-/) || substr($0, RLENGTH - 2, 2) <= lab' | copy
 # The course's container can grade classes, too.
 sed -i 's/install\.sh demo /install.sh grade /' "$root/Containerfile"
 
 # The skeleton is cut anew: in labs/ somebody may have tried the tasks.
-tests/tools/cut_labs.sh "$holes" "$stage/cut/labs"
+tests/tools/cut_labs.sh "$holes" "$stage/cut/labs" "$lab"
 git ls-files -- "labs/$lab" | copy "$stage/cut"
 for path in solutions/*/; do
     earlier=$(basename "$path")
@@ -93,13 +94,13 @@ if [ -n "${4:-}" ]; then
     own_points='The points that '"\`make grade LAB=$number\`"' shows are your course'"'"'s own: they count, and not those in the texts.'
 fi
 
-# The lab's judge as a program, for both kinds of machines. Its text would be the answers in other words; the
-# judges of other labs, in the same program, would bring along this lab's solution, compiled.
+# The text of the lab's judge, packed: it has right answers in other words.
 mkdir -p "$root/tests/judge"
-for machine in x86_64 aarch64; do
-    cp "$judges/$machine/tools/judge-$number" "$root/tests/judge/judge-$machine"
-done
 cp tests/handout/judge.mk "$root/tests/judge/"
+judge_files=$(sh tests/judge/sources.sh tests/judge | sed -n "s|^$lab:tests/judge/||p")
+# shellcheck disable=SC2086 # a list of names without spaces
+(cd tests/judge && git ls-files -- judge.mk judges.c sources.sh $judge_files) |
+    settled --directory=tests/judge --files-from=- --file="$root/tests/judge/judge.tar"
 
 # ---- Its README -------------------------------------------------------------------------------
 
@@ -118,5 +119,5 @@ title=$(jq -er .title "$manifest")
 
 # ---- The archive ------------------------------------------------------------------------------
 
-tests/handout/archive.sh "$stage" "$lab" "$folder"
+archive "$stage" "$lab" "$folder"
 echo "$folder/$lab.tar.gz"

@@ -7,6 +7,7 @@
 # PATHS are the pages and PDFs below NOTES/student and NOTES/instructor, a line each. VERSION is CHANGELOG.md's
 # newest version and the commit: 1.0-3f6f46c7a1b2. If a step fails, an older release of this version stays as it was.
 set -eu
+. tests/handout/archive.sh
 
 notes=$1
 handouts=$2
@@ -28,7 +29,7 @@ for edition in student instructor; do
     sed -n "s|^$notes/$edition/||p" "$stage/paths" >"$stage/files"
     tar --create --directory="$notes/$edition" --files-from="$stage/files" --file="$stage/part.tar"
     tar --extract --directory="$stage/$name" --file="$stage/part.tar"
-    tests/handout/archive.sh "$stage" "$name" "$new"
+    archive "$stage" "$name" "$new"
 done
 cp "$handouts"/[0-9]*.tar.gz "$handouts"/[0-9]*.txt "$new"
 

@@ -126,13 +126,9 @@ typedef struct Judge {
     void (*add_pictures)(const void *job, const Sections *answers, Result *result);
 } Judge;
 
-// Those that a program is linked with, NULL behind the last: all (judges.c), or in a handout one
-// (one_judge.c).
+// Those that a program is linked with, NULL behind the last: one in a judge, all in tests
+// (judges.c).
 extern const Judge *const judges[];
-
-// Below this seed a judge says what is wrong, and shows pictures; from it on only whether a check
-// passes. No bound in the course, home_seeds.h's in a handout.
-extern const uint64_t judges_tell_below;
 
 // The judge of a lab by its name, "03-kdtree-2d-render", or its number, "03" or "3"; or NULL.
 const Judge *judge_of(const char *lab);

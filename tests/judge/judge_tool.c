@@ -1,6 +1,6 @@
-// judge: a function of lab, seed and answers to verdicts and pictures.
+// The judge of one lab: a function of seed and answers to verdicts and pictures.
 //
-//     judge LAB <requests >replies
+//     build/judges/NN-name <requests >replies
 //
 // Its first line is a seed, which no command line shows. It rolls the lab's job from that and then
 // answers requests, each a line "WORD ARGUMENT N" with N bytes behind it; each reply is a line "N"
@@ -22,9 +22,6 @@
 //     pictures - 0   sections "title", "reference", "own", "svg_reference", "svg_own", of each
 //                    picture those that it has, in this order
 //
-// In a handout it says nothing but "passed" or "failed" of other seeds than those of home
-// (home_seeds.h).
-//
 // Exit status: 0 at the end of the requests, 2 after one message on stderr. Started by
 // grader/verdict/judge_process.c. Read next: judge.h.
 #include "complain.h"
@@ -40,7 +37,6 @@ enum { EXIT_FAULT = 2 };
 
 typedef struct Desk {
     Job *job;
-    int tells_all;  // or only whether a check passes
     char *job_bytes;
     size_t n_job_bytes;
     Sections held;
@@ -123,13 +119,6 @@ static int reply_verdict(Desk *desk, const char *argument, FILE *reply)
         return -1;
     }
     Verdict verdict = job_judge(desk->job, check, &desk->held);
-    if (verdict.kind == VERDICT_FAILED && !desk->tells_all) {
-        diagnosis_free(&verdict.diagnosis);
-        verdict.diagnosis =
-            diagnosis_new("not right; a handout says why only for seeds below %" PRIu64
-                          ": grade without SEED, or with a smaller one",
-                          judges_tell_below);
-    }
     const Diagnosis *diagnosis = &verdict.diagnosis;
     const SentKinds kinds = {diagnosis->mistake, diagnosis->evidence};
     const size_t n_bytes = verdict.kind == VERDICT_FAILED ? sizeof kinds : 0;
@@ -156,8 +145,7 @@ static int reply_cause(Desk *desk, const char *argument, FILE *reply)
     if (check < 0) {
         return -1;
     }
-    Diagnosis diagnosis =
-        desk->tells_all ? job_alone_cause(desk->job, check, &desk->held) : NOTHING_WRONG;
+    Diagnosis diagnosis = job_alone_cause(desk->job, check, &desk->held);
     const SentKinds kinds = {diagnosis.mistake, diagnosis.evidence};
     const int result = section_write(reply, "failed", &kinds, sizeof kinds) |
                        write_text(reply, "cause", diagnosis.cause);
@@ -195,9 +183,7 @@ static int reply_pictures(Desk *desk, const char *argument, FILE *reply)
     (void)argument;
     static Result result;
     int failed = 0;
-    if (desk->tells_all) {
-        job_add_pictures(desk->job, &desk->held, &result);
-    }
+    job_add_pictures(desk->job, &desk->held, &result);
     for (int i = 0; !failed && i < result.n_pictures; i++) {
         const PictureResult *picture = &result.pictures[i];
         failed = write_text(reply, "title", picture->title) |
@@ -288,23 +274,17 @@ static int read_seed(uint64_t *seed)
     return number_read_unsigned(line, 0, UINT64_MAX, seed);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
     Desk desk = {0};
     uint64_t seed;
-    if (argc != 2 || read_seed(&seed) != 0) {
-        complain("judge: expected the number or name of a lab, and a seed as the first line");
+    if (read_seed(&seed) != 0) {
+        complain("judge: expected a seed as the first line");
         return EXIT_FAULT;
     }
-    const Judge *judge = judge_of(argv[1]);
-    if (judge == NULL) {
-        complain("judge: %s: this lab has no judge", argv[1]);
-        return EXIT_FAULT;
-    }
-    desk.tells_all = seed < judges_tell_below;
     limit_memory(MOST_BYTES);
     FILE *job = open_memstream(&desk.job_bytes, &desk.n_job_bytes);
-    desk.job = job != NULL ? job_new(judge, seed, job) : NULL;
+    desk.job = job != NULL ? job_new(judges[0], seed, job) : NULL;
     if (job == NULL || fclose(job) != 0 || desk.job == NULL) {
         return EXIT_FAULT;
     }

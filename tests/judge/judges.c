@@ -1,4 +1,4 @@
-// The table of judges: those of all folders beside this file.
+// The table of judges: in a judge the one of its lab, in tests those of all labs.
 #include "judge.h"
 
 // JUDGES is from the makefile: JUDGE(00) JUDGE(01) ...
@@ -8,4 +8,3 @@ JUDGES
 
 #define JUDGE(number) &judge_##number,
 const Judge *const judges[] = {JUDGES NULL};
-const uint64_t judges_tell_below = UINT64_MAX;

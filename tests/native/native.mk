@@ -26,7 +26,7 @@ $(NATIVE_OPENCL): $(NATIVE_SOURCES:%=$(NATIVE)/obj/%.o) $(NATIVE)/obj/builtins.o
 # two libraries to the linker.
 $(NATIVE)/libcommon.a: $(OUT)/libcommon.a $(NATIVE_OPENCL)
 	@printf 'INPUT("%s" "%s")\n' '$(call from_root,$<)' '$(call from_root,$(word 2,$^))' >$@
-$(NATIVE)/tools $(NATIVE)/earlier $(NATIVE)/no_macros.h:
+$(NATIVE)/tools $(NATIVE)/judges $(NATIVE)/earlier $(NATIVE)/no_macros.h:
 	@mkdir -p $(NATIVE) && ln -sfn ../$(@F) $@
 $(NATIVE)/probes/%.o: $(OUT)/probes/%.o
 	@mkdir -p $(@D) && cp $< $@
@@ -37,6 +37,6 @@ $(NATIVE)/probes/find_device: $(call objects,tests/probes/find_device.c) $(OUT)/
 	$(call link,'$(call from_root,$(NATIVE_OPENCL))' -lm)
 .PHONY: native lab-native
 # What make watch judges one lab with.
-lab-native: $(NATIVE)/libcommon.a $(addprefix $(NATIVE)/,tools earlier no_macros.h probes/find_device) \
+lab-native: $(NATIVE)/libcommon.a $(addprefix $(NATIVE)/,tools judges earlier no_macros.h probes/find_device) \
     $(filter $(addprefix $(NATIVE)/probes/,$(graded_lab) $(graded_lab).o),$(PROBES:$(OUT)/%=$(NATIVE)/%))
-native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/earlier $(NATIVE)/no_macros.h
+native: grader $(PROBES:$(OUT)/%=$(NATIVE)/%) $(NATIVE)/libcommon.a $(NATIVE)/tools $(NATIVE)/judges $(NATIVE)/earlier $(NATIVE)/no_macros.h

@@ -6,9 +6,8 @@
 // another.
 //
 // The step is SipHash-2-4 (Aumasson, Bernstein 2012) of the purpose, with the seed as the key. It
-// is written out because the judge is linked statically for two kinds of processors, and the
-// packages for the other kind have a C library and no nettle. Used by lot.h, and by the judge for
-// its jobs.
+// is written out because a handout does without nettle. Used by lot.h, and by the judge for its
+// jobs.
 #ifndef PROBES_ONE_WAY_H
 #define PROBES_ONE_WAY_H
 

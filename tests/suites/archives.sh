@@ -263,7 +263,6 @@ graded "an archive of 131072 entries" earns 100 "$PWD/many.tar.gz"
 
 cd "$course" || exit 1
 mkdir -p "$scratch/build/tools"
-ln -s "$build/tools/judge" "$scratch/build/tools/"
 for entry in "$build"/*; do
     [ "${entry##*/}" = tools ] || ln -s "$entry" "$scratch/build"
 done

@@ -409,7 +409,6 @@ check "PrairieLearn: nor is a grader that cannot be built" \
 # GitHub: the workflow in a repository that begins as the handout.
 repository=$scratch/repository
 mkdir "$repository"
-# By what is built already: to build the judges for both kinds of processors takes minutes.
 # In the course's own build folder nothing is to be made otherwise than before.
 check "GitHub: the handout" quietly env -u MAKEFLAGS make -s handout LAB=00 BUILD="${BUILD:-build}"
 tar -xzf "${BUILD:-build}/handout/$lab.tar.gz" -C "$repository" --strip-components 1

@@ -65,7 +65,7 @@ n_kept=$(n_results)
 check "there is no gradebook yet" test ! -e "$first/gradebook.csv"
 
 # A signal, as make passes it on.
-BUILD=$build make -s --old-file=grader grade-class LAB=0 SUBMISSIONS="$class" OUTPUT="$first" >"$scratch/said" 2>&1 </dev/null &
+BUILD=$build make -s --old-file=graded grade-class LAB=0 SUBMISSIONS="$class" OUTPUT="$first" >"$scratch/said" 2>&1 </dev/null &
 driver=$!
 check "resumed: a grader is at work" await is_at_work tools/grade
 check "its folder says whose it is" grep -q '^make grade-class, process [0-9]* on ' "$first/lock"

@@ -11,7 +11,7 @@ native=$PWD/${BUILD:-build}/native
 # What judges without a driver; not the kernels that are kept there.
 mkdir build/native
 cp -pR "$native/probes" "$native/libcommon.a" build/native
-for part in tools earlier no_macros.h; do ln -s ../$part build/native/$part; done
+for part in tools judges earlier no_macros.h; do ln -s ../$part build/native/$part; done
 # Other users may enter, as the sandbox's is somebody else.
 chmod 711 "$scratch"
 mkdir -m 711 "$scratch/work"

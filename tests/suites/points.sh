@@ -179,7 +179,7 @@ cp "labs/$lab/implicit2DRenderer_KD.cl" "$course/tests/skeletons/$lab/"
 cp "$manifest" "$course/labs/$lab/lab.json"
 cp "$loud/implicit2DRenderer_KD.cl" "$course/labs/$lab/"
 mkdir "$course/build"
-for part in tools probes earlier; do cp -R "$build/$part" "$course/build"; done
+for part in tools judges probes earlier; do cp -R "$build/$part" "$course/build"; done
 mkdir "$course/build/labs"
 cp "$build/labs/$lab" "$course/build/labs"
 cp "$build"/*.so "$build"/libcommon.a "$build/no_macros.h" "$course/build"

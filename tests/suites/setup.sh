@@ -149,19 +149,6 @@ chmod +x "$scratch/a-compiler"
 ok $? "a header is missing" "$(cat "$scratch/said")"
 check "nothing is missing" common/setup/ready.sh "$scratch/none/ready" gcc g++
 
-# What only one kind of machine needs is asked for there.
-printf '#!/bin/sh\nexit 1\n' >"$bare/dpkg-query"
-for machine in amd64 arm64; do
-    rm -f "$APT_LOG"
-    printf '#!/bin/sh\necho %s\n' $machine >"$bare/dpkg"
-    chmod +x "$bare/dpkg"
-    runs 0 "$bare" handout >/dev/null
-    case $machine in amd64) other=gcc-aarch64-linux-gnu ;; *) other=gcc-x86-64-linux-gnu ;; esac
-    asked=$(grep -o 'gcc-[a-z0-9-]*-linux-gnu' "$APT_LOG" | sort -u)
-    [ "$asked" = "$other" ]
-    ok $? "$machine: the compiler for the other processor" "asked for: $asked"
-done
-
 # The container: Debian, packages of the list, and nothing else; and what VS Code reads of it.
 # contained FILE: is each line of a Containerfile one of these?
 contained() {

@@ -25,5 +25,5 @@ common/setup/install.sh demo
 rm -f build/prepared
 make -s -j"$JOBS" lab-grader LAB="$1"
 # What only make needs to go on from here: a tenth is left to be carried about.
-rm -rf build/obj build/libgrader.a build/libjudge.a
+rm -rf build/obj build/libgrader.a
 echo "$prepared" >build/prepared

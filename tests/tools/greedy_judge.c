@@ -1,8 +1,8 @@
 // greedy_judge: what a judge would be over answers that were made to exhaust it.
 //
-//     greedy_judge LAB <requests >replies
+//     greedy_judge <requests >replies
 //
-// Used by unit/test_judge_process.c in the place of build/tools/judge, whose requests it takes
+// Used by unit/test_judge_process.c in the place of a judge, whose requests it takes
 // (judge/judge_tool.c) and by whose functions it is limited, to a second of processor time a
 // request and 256 MB. Verdict 0 computes for four seconds, verdict 1 fills 512 MB, verdict 2 takes
 // half a second. Whoever is not stopped over that replies "passed".

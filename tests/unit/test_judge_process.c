@@ -246,14 +246,14 @@ static char greedy_build[] = "/tmp/greedy-judge-XXXXXX";
 
 static void greedy_start(void)
 {
-    char tools[64], link[64], program[PATH_MAX], greedy[PATH_MAX + 32];
+    char judges[64], link[96], program[PATH_MAX], greedy[PATH_MAX + 32];
     const char *build = getenv("BUILD");
     cr_assert_not_null(realpath(build != NULL ? build : "build", program));
     cr_assert_not_null(mkdtemp(greedy_build));
-    snprintf(tools, sizeof tools, "%s/tools", greedy_build);
-    snprintf(link, sizeof link, "%s/tools/judge", greedy_build);
+    snprintf(judges, sizeof judges, "%s/judges", greedy_build);
+    snprintf(link, sizeof link, "%s/01-naive-2d", judges);
     snprintf(greedy, sizeof greedy, "%s/tools/greedy_judge", program);
-    cr_assert_eq(mkdir(tools, 0755), 0);
+    cr_assert_eq(mkdir(judges, 0755), 0);
     cr_assert_eq(symlink(greedy, link), 0);
     manifest = (Manifest){.lab = "01-naive-2d"};  // of no checks, as it has none
     cr_assert_eq(judge_start(&judge, greedy_build, &manifest, 7), 0);
@@ -261,12 +261,12 @@ static void greedy_start(void)
 
 static void greedy_stop(void)
 {
-    char tools[64], link[64];
+    char judges[64], link[96];
     judge_stop(&judge);
-    snprintf(tools, sizeof tools, "%s/tools", greedy_build);
-    snprintf(link, sizeof link, "%s/tools/judge", greedy_build);
+    snprintf(judges, sizeof judges, "%s/judges", greedy_build);
+    snprintf(link, sizeof link, "%s/01-naive-2d", judges);
     unlink(link);
-    rmdir(tools);
+    rmdir(judges);
     rmdir(greedy_build);
 }
 

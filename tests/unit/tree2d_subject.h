@@ -5,7 +5,7 @@
 #ifndef UNIT_TREE2D_SUBJECT_H
 #define UNIT_TREE2D_SUBJECT_H
 
-#include "job_scene.h"
+#include "job_scene_tree.h"
 #include "surroundings.h"
 #include "told.h"
 #include "tree2d_draw.h"

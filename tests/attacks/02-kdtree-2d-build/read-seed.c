@@ -11,11 +11,10 @@
         FILE *file = fopen(found.gl_pathv[k], "r");
         const size_t n = file != NULL ? fread(words, 1, sizeof words - 1, file) : 0;
         words[n] = '\0';
-        // The judge, a lab's name, and what is a number behind that.
-        if (n > 0 && strcmp(words, "@BUILD@/tools/judge") == 0) {
-            const char *lab = words + strlen(words) + 1;
-            const char *seed = lab < words + n ? lab + strlen(lab) + 1 : lab;
-            printf("seen: %s\n", lab);
+        // The judge, and what is a number behind that.
+        if (n > 0 && strcmp(words, "@BUILD@/judges/02-kdtree-2d-build") == 0) {
+            const char *seed = words + strlen(words) + 1;
+            printf("seen: %s\n", words);
             if (seed < words + n && strspn(seed, "0123456789") > 0) {
                 printf("LEAK" "ED the judge's seed: %s\n", seed);
             }

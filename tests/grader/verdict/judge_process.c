@@ -29,8 +29,8 @@ static int spawn(JudgeProcess *judge)
     char program[PATH_MAX];
     int ends[2];
     posix_spawn_file_actions_t actions;
-    path_make(program, "%s/tools/judge", judge->build);
-    char *const argv[] = {program, (char *)judge->manifest->lab, NULL};
+    path_make(program, "%s/judges/%s", judge->build, judge->manifest->lab);
+    char *const argv[] = {program, NULL};
     char *const environment[] = {NULL};  // nothing of the grader's decides how it computes
     // Closed in every other program that is started.
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {

@@ -39,8 +39,8 @@ typedef struct JudgeProcess {
     Answers adopted;      // the solution's, which it compares pictures with
 } JudgeProcess;
 
-// Start the judge of the manifest's lab: build/tools/judge. Both must have the same checks. `build`
-// and the manifest must stay. Returns 0, or -1 after one message on stderr.
+// Start the judge of the manifest's lab: build/judges/NN-name. Both must have the same checks.
+// `build` and the manifest must stay. Returns 0, or -1 after one message on stderr.
 int judge_start(JudgeProcess *judge, const char *build, const Manifest *manifest, uint64_t seed);
 void judge_stop(JudgeProcess *judge);
 

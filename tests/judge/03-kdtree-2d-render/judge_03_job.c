@@ -2,6 +2,7 @@
 #include "judge_03.h"
 
 #include "complain.h"
+#include "job_scene_tree.h"
 #include "scene_vary.h"
 
 #include <math.h>

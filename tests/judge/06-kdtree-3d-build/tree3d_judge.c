@@ -1,5 +1,5 @@
 // Tree invariants in 3D, checked in double precision. What one call of a student's function must
-// give is in tree3d_judge_steps.c, how the tree is packed in tree3d_packing.c.
+// give is in tree3d_judge_steps.c, how the tree is packed in tree3d_judge_packing.c.
 #include "tree3d_judge.h"
 
 #include "complain.h"

@@ -21,7 +21,7 @@ typedef struct TreeScene3D {
     int is_tied;          // right solutions may have trees of other depths: costs are equal
 } TreeScene3D;
 
-// Such scenes as an array of a job (tree3d_scene.c); they have no JobPicture.
+// Such scenes as an array of a job (tree3d_judge_scene.c); they have no JobPicture.
 extern const SceneKind tree3d_scene_kind;
 
 // Did the builder give up over scene K?

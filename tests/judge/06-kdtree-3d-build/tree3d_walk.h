@@ -1,5 +1,5 @@
 // Reading a student's tree without trusting it, and walking down it: every id and range is checked
-// before it is used. For tree3d_judge.c and tree3d_packing.c.
+// before it is used. For tree3d_judge.c and tree3d_judge_packing.c.
 #ifndef JUDGE_TREE3D_WALK_H
 #define JUDGE_TREE3D_WALK_H
 

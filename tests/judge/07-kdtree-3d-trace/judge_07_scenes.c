@@ -1,6 +1,8 @@
 // The scenes of lab 07's job: twenty random ones, the edge cases, and a sphereflake.
 #include "judge_07.h"
 
+#include "job_scene3d_tree.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>

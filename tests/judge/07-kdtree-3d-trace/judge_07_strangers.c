@@ -8,6 +8,7 @@
 #include "judge_07.h"
 
 #include "complain.h"
+#include "job_scene3d_tree.h"
 #include "judge_07_work.h"
 
 #include <math.h>

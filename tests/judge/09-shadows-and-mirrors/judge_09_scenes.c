@@ -2,6 +2,7 @@
 // What is expected of them: judge_09_pictures.c, judge_09_sent.c.
 #include "judge_09.h"
 
+#include "job_scene3d_tree.h"
 #include "job_sections.h"
 #include "message.h"
 #include "random3d.h"

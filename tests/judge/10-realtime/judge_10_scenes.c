@@ -3,6 +3,7 @@
 #include "judge_10.h"
 
 #include "complain.h"
+#include "job_scene3d_tree.h"
 #include "job_sections.h"
 
 #include <stdlib.h>

@@ -2,7 +2,8 @@
 #ifndef JUDGE_ORACLE3D_ROUNDING_H
 #define JUDGE_ORACLE3D_ROUNDING_H
 
-#include "oracle3d.h"
+#include "oracle_vector.h"
+#include "sphere.h"
 
 #include <math.h>
 

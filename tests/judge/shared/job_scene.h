@@ -42,10 +42,6 @@ int job_scene_pile(JobScene *scene, Random *random);
 // Let the oracle draw what is expected. Returns 0, or -1 after one message.
 int job_scene_expect(JobScene *scene);
 
-// Build the scene's tree with the solution of lab 02 (job_scene_tree.c: for the labs behind that
-// one). Returns 0, or -1 after one message.
-int job_scene_grow_tree(JobScene *scene, KdTreeLimits limits);
-
 // Write the sections "scene.K" ...; the tree's too when there is one, and behind its lists the id
 // of the circle that must not be asked. Returns 0, or -1.
 int job_scene_write(const JobScene *scene, int k, FILE *file);

@@ -44,10 +44,6 @@ int job_scene3d_expect(JobScene3D *scene);
 // The ray of a pixel.
 OracleRay job_scene3d_ray(const JobScene3D *scene, int pixel);
 
-// Build the scene's tree with the solution of lab 06 (job_scene3d_tree.c: for the labs behind that
-// one). Returns 0, or -1 after one message.
-int job_scene3d_grow_tree(JobScene3D *scene, KdTreeLimits limits);
-
 // Write the sections "scene.K" ...; the tree's too when there is one. Returns 0, or -1.
 int job_scene3d_write(const JobScene3D *scene, int k, FILE *file);
 

@@ -1,6 +1,5 @@
-// The tree of a job's 3D scene, as lab 06 delivers it. A file of its own, because a handout of lab
-// 06 or before has no solution to build it with.
-#include "job_scene3d.h"
+// See job_scene3d_tree.h.
+#include "job_scene3d_tree.h"
 
 #include "kdtree3d_build.h"
 

@@ -1,6 +1,5 @@
-// The tree of a job's scene, as lab 02 delivers it. A file of its own, because a handout of lab
-// 02 or before has no solution to build it with.
-#include "job_scene.h"
+// See job_scene_tree.h.
+#include "job_scene_tree.h"
 
 #include "kdtree2d_build.h"
 
