@@ -197,7 +197,7 @@ $(OUT)/obj/tests/unit/test_replays.c.o: OPTIMISATION = -O2 -g
 # answer has a / in its name, so that only the solution is run.
 UNIT_SEEDS = 1 2 3 5 9
 UNIT_ANSWERS := $(patsubst solutions/%/lab.json,$(NATIVE)/answers/%/9,$(wildcard solutions/*/lab.json))
-$(UNIT_ANSWERS): $(NATIVE)/answers/%/9: $(wildcard kernels/* solutions/*/*.[ch]*) $(OUT)/tools/judge $(OUT)/tools/mutants \
+$(UNIT_ANSWERS): $(NATIVE)/answers/%/9: $(wildcard kernels/* solutions/*/*.[ch]*) $(JUDGES) $(OUT)/tools/mutants \
     $$(filter $(NATIVE)/probes/$$* $(NATIVE)/probes/$$*.o,$(PROBES:$(OUT)/%=$(NATIVE)/%)) | native
 	@mkdir -p $(@D)
 	$(call say,answer  $*)for seed in $(UNIT_SEEDS); do rm -f $(@D)/$$seed && \
