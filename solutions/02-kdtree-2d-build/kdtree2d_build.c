@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 BBox2D scene_bounds(const Circle *h_circles, u32 n_circles)
 {
