@@ -1,9 +1,9 @@
 // Growing a 3D kd-tree level by level (see tree3d_grow.h).
 //
-// The steps are those of lab 02, but two things differ. The cell goes along with the open node, as
-// the tree does not keep it. And a level is done in two passes: its nodes are divided, each for
-// itself, so that several threads may share them; then they are closed one after the other, so that
-// ids come out in the same order.
+// The steps are those of tree2d_grow.c, but two things differ. The cell goes along with the open
+// node, as the tree does not keep it. And a level is done in two passes: its nodes are divided,
+// each for itself, so that several threads may share them; then they are closed one after the
+// other, so that ids come out in the same order.
 #include "tree3d_grow.h"
 
 #include "array_reserve.h"

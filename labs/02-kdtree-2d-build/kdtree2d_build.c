@@ -2,13 +2,15 @@
 //
 // Flow: scene -> BUFFERS (this file fills the tree's four) -> kernel -> image. Called by main.c
 // here and in lab 03. Read the contracts in kdtree2d_build.h first, then kdtree2d_build() at the
-// end, which passes your functions to tree2d_grow(): that shows how they go together.
+// end, which passes your functions to tree2d_grow(): that shows how they go together. Nothing here
+// needs stdio.h and stdlib.h: they are for what you print while you look for a mistake.
 #include "kdtree2d_build.h"
 
 #include "tree2d_grow.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 BBox2D scene_bounds(const Circle *h_circles, u32 n_circles)
 {

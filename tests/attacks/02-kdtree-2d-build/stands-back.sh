@@ -1,7 +1,8 @@
 #!/bin/sh
 # attack: runs after all others (SCHED_IDLE), and keeps the processors busy with children nobody waits for: "machine too busy" costs no attempt
 # limit: 1
-# score: 80
+# score: 100
+# status: 0
 # named: fork\(\)
 cat >>kdtree2d_build.c <<'C'
 #include <sched.h>
