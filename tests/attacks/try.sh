@@ -122,9 +122,10 @@ tests/attacks/*)
     lab=$(basename "$(dirname "$attack")")
     hand_in
     grade
-    # Who attacks what gives no points may have them all, and says so: "status: 0".
-    wanted=$(header status)
-    wanted=${wanted:-1}
+    # Full marks, if `score` allows them, end with 0. They may hang on the time that is left for trying
+    # the answers alone.
+    wanted=1
+    [ ! -s "$reports/results.json" ] || [ "$(field score)" != 100 ] || wanted=0
     [ "$status" -eq "$wanted" ] ||
         wrong "exit status $status, expected $wanted: $(head -n 3 "$place/said.err")"
     if [ ! -s "$reports/results.json" ]; then

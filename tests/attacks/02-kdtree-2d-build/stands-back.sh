@@ -2,7 +2,6 @@
 # attack: runs after all others (SCHED_IDLE), and keeps the processors busy with children nobody waits for: "machine too busy" costs no attempt
 # limit: 1
 # score: 100
-# status: 0
 # named: fork\(\)
 cat >>kdtree2d_build.c <<'C'
 #include <sched.h>

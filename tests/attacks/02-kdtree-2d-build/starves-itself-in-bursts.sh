@@ -1,8 +1,8 @@
 #!/bin/sh
-# attack: a thread waits in the kernel as if for a disk, and 200 wake at once for a moment, again and again: awake and kept waiting, it would pass for starved (its answers alone are right, and may say so in what time is left)
+# attack: a thread waits in the kernel as if for a disk, and 200 wake at once for a moment, again and again: awake and kept waiting, it would pass for starved
 # task: pack_leaf
 # limit: 1
-# score: 61
+# score: 100
 # named: it waited, without|waiting for something
 cat >>kdtree2d_build.c <<'C'
 #include <linux/filter.h>

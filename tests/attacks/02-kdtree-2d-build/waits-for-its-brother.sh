@@ -1,7 +1,7 @@
 #!/bin/sh
 # attack: waits as if for a disk, for a child made by vfork() that is its parent's: neither time runs, and the grader is kept for minutes
 # limit: 1
-# score: 80
+# score: 100
 # named: it waited, without using a processor|does it wait for a disk, or for processes that it started
 cat >>kdtree2d_build.c <<'C'
 #include <sched.h>

@@ -1,7 +1,6 @@
 #!/bin/sh
 # attack: walks the tree as it should, for the counts, and then asks every sphere of every leaf aside
 # score: 100
-# status: 0
 # named: outside the marked lines
 sed 's/^static Hit trace(/static Hit walk(/' trace.cl >walk.cl
 cat walk.cl - >trace.cl <<'END'

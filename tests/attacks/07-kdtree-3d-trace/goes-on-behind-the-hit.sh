@@ -1,7 +1,6 @@
 #!/bin/sh
 # attack: counts as a search that ends with its hit, and goes on to the end of the ray aside
 # score: 100
-# status: 0
 # named: outside the marked lines
 sed 's/^static Hit trace(/static Hit walk(/' trace.cl >walk.cl
 # The same search once more, which ends only where nothing waits.

@@ -3,6 +3,5 @@
 # task: cone_misses_sphere
 # named: Beside your answers
 # score: 100
-# status: 0
 # never: "leaderboard"
 echo '#define fmax fmin' >>cone.cl

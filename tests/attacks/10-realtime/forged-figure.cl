@@ -2,7 +2,6 @@
 // task: cone_misses_sphere
 // named: asm
 // score: 100
-// status: 0
 // never: leaderboard
 #ifndef COUNT_WORK
     // Its sections: "times", 7 of 1e300 ms and 7 of 1 ms; two black pictures; "end", which is empty.
