@@ -125,6 +125,36 @@ void svg_circle(FILE *file, double x, double y, double radius, const char *look)
     fprintf(file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" %s/>\n", x, y, radius, look);
 }
 
+void svg_boxes_begin(FILE *file, const char *look)
+{
+    fprintf(file, "<path %s d=\"", look);
+}
+
+void svg_boxes_add(FILE *file, double x, double y, double width, double height)
+{
+    fprintf(file, "M%.1f %.1fh%.1fv%.1fh%.1fz", x, y, width, height, -width);
+}
+
+void svg_boxes_end(FILE *file)
+{
+    fputs("\"/>\n", file);
+}
+
+void svg_group_begin(FILE *file, const char *id, const char *look)
+{
+    fprintf(file, "<g id=\"%s\" %s>\n", id, look);
+}
+
+void svg_group_end(FILE *file)
+{
+    fputs("</g>\n", file);
+}
+
+void svg_use(FILE *file, const char *id, double x, double y)
+{
+    fprintf(file, "<use href=\"#%s\" x=\"%.1f\" y=\"%.1f\"/>\n", id, x, y);
+}
+
 void svg_cross(FILE *file, double x, double y, double half, const char *look)
 {
     svg_line(file, x - half, y - half, x + half, y + half, look);

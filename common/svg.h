@@ -49,6 +49,18 @@ void svg_arrow(FILE *file, double x1, double y1, double x2, double y2, const cha
 void svg_box(FILE *file, double x, double y, double width, double height, const char *look);
 void svg_circle(FILE *file, double x, double y, double radius, const char *look);
 
+// Many boxes of one look, as one path: begin it, add each box, end it. Strokes of neighbours that
+// share a side are drawn there once.
+void svg_boxes_begin(FILE *file, const char *look);
+void svg_boxes_add(FILE *file, double x, double y, double width, double height);
+void svg_boxes_end(FILE *file);
+
+// What a drawing shows more than once: drawn between begin and end, then again, moved by (x, y). An
+// id is unique in all drawings, as several can be on one page.
+void svg_group_begin(FILE *file, const char *id, const char *look);
+void svg_group_end(FILE *file);
+void svg_use(FILE *file, const char *id, double x, double y);
+
 // A cross, of a pixel's sample point or a point that is hit.
 void svg_cross(FILE *file, double x, double y, double half, const char *look);
 

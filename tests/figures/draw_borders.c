@@ -36,10 +36,16 @@ static void scene_draw(FILE *file, const Scene2D *scene, double left)
     const BBox2D all = {0, (float)scene->width, 0, (float)scene->height};
     fprintf(file, "<svg x=\"%g\" y=\"%d\" width=\"%d\" height=\"%g\">\n", left, TOP, PANEL,
             scene->height * SCALE);
-    for (int i = 0; i < scene->n_circles; i++) {
-        const Circle circle = scene->circles[i];
-        svg_circle(file, circle.x * SCALE, circle.y * SCALE, circle.radius * SCALE,
-                   "fill=\"" SVG_SKY "\" stroke=\"" SVG_BLUE "\" stroke-width=\"1\"");
+    if (left == LEFT) {
+        svg_group_begin(file, "borders-circles",
+                        "fill=\"" SVG_SKY "\" stroke=\"" SVG_BLUE "\" stroke-width=\"1\"");
+        for (int i = 0; i < scene->n_circles; i++) {
+            const Circle circle = scene->circles[i];
+            svg_circle(file, circle.x * SCALE, circle.y * SCALE, circle.radius * SCALE, "");
+        }
+        svg_group_end(file);
+    } else {
+        svg_use(file, "borders-circles", 0, 0);
     }
     fputs("</svg>\n", file);
     for (int tile = 1; tile < COLUMNS; tile++) {

@@ -81,6 +81,22 @@ static Columns in_step(const Lane *lanes)
     return columns;
 }
 
+// The turns in which a lane does one thing: equal neighbours as one box.
+static void lane_draw(FILE *file, const Columns *columns, int lane, Doing doing)
+{
+    const double width = (RIGHT - LEFT) / (double)columns->n;
+    for (int from = 0, to; from < columns->n; from = to) {
+        for (to = from + 1;
+             to < columns->n && columns->doing[lane][to] == columns->doing[lane][from];) {
+            to++;
+        }
+        if (columns->doing[lane][from] == doing) {
+            svg_boxes_add(file, LEFT + from * width, TOP + lane * LANE + 0.5, (to - from) * width,
+                          LANE - 1);
+        }
+    }
+}
+
 static void columns_draw(FILE *file, const Columns *columns)
 {
     static const char *const LOOKS[] = {
@@ -89,17 +105,12 @@ static void columns_draw(FILE *file, const Columns *columns)
         [ASKS] = "fill=\"" SVG_BLACK "\"",
         [IS_DONE] = "fill=\"#e0e0e0\"",
     };
-    const double width = (RIGHT - LEFT) / (double)columns->n;
-    for (int i = 0; i < N_LANES; i++) {
-        // Equal neighbours as one box.
-        for (int from = 0, to; from < columns->n; from = to) {
-            const Doing doing = columns->doing[i][from];
-            for (to = from + 1; to < columns->n && columns->doing[i][to] == doing;) {
-                to++;
-            }
-            svg_box(file, LEFT + from * width, TOP + i * LANE + 0.5, (to - from) * width, LANE - 1,
-                    LOOKS[doing]);
+    for (Doing doing = WAITS; doing <= IS_DONE; doing++) {
+        svg_boxes_begin(file, LOOKS[doing]);
+        for (int i = 0; i < N_LANES; i++) {
+            lane_draw(file, columns, i, doing);
         }
+        svg_boxes_end(file);
     }
 }
 

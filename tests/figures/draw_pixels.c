@@ -19,6 +19,7 @@ void draw_groups(FILE *file, const Followed *followed)
     (void)followed;
     const int columns = groups_of(WIDTH) * GROUP_SIZE, rows = groups_of(HEIGHT) * GROUP_SIZE;
     const double right = LEFT + columns * ITEM, bottom = TOP + rows * ITEM;
+    const char *thin = "stroke=\"" SVG_GREY "\" stroke-width=\"0.7\"";
     svg_begin(
         file, TOP + rows * ITEM + 56, "Work-groups hang over the picture",
         "A picture of 37 by 21 pixels is covered by three by two groups of 16 by 16 work-items. "
@@ -26,13 +27,12 @@ void draw_groups(FILE *file, const Followed *followed)
         "work-items to the right of the picture and below it, nearly half of all, have no pixel.");
     svg_title(file, LEFT, 40, SVG_LEFT, "", "%d x %d pixels, %d x %d groups of %d x %d work-items",
               WIDTH, HEIGHT, groups_of(WIDTH), groups_of(HEIGHT), GROUP_SIZE, GROUP_SIZE);
-    for (int y = 0; y < rows; y++) {
-        for (int x = 0; x < columns; x++) {
-            svg_box(file, LEFT + x * ITEM, TOP + y * ITEM, ITEM, ITEM,
-                    x < WIDTH && y < HEIGHT
-                        ? "fill=\"" SVG_SKY "\" stroke=\"" SVG_GREY "\" stroke-width=\"0.5\""
-                        : "fill=\"#ffffff\" stroke=\"" SVG_GREY "\" stroke-width=\"0.5\"");
-        }
+    svg_box(file, LEFT, TOP, WIDTH * ITEM, HEIGHT * ITEM, "fill=\"" SVG_SKY "\"");
+    for (int x = 1; x < columns; x++) {
+        svg_line(file, LEFT + x * ITEM, TOP, LEFT + x * ITEM, bottom, thin);
+    }
+    for (int y = 1; y < rows; y++) {
+        svg_line(file, LEFT, TOP + y * ITEM, right, TOP + y * ITEM, thin);
     }
     for (int group = 0; group <= groups_of(WIDTH); group++) {
         const double x = LEFT + group * GROUP_SIZE * ITEM;

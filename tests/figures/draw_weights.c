@@ -23,39 +23,44 @@ static double scale_of(BBox2D root)
     return PANEL / ((double)root.maxX - root.minX);
 }
 
-static void circles_draw(FILE *file, const Scene2D *scene, BBox2D root, double left, double top)
+// The circles of a row, in its first panel; svg_use() draws them in the others.
+static void circles_draw(FILE *file, const char *id, const Scene2D *scene, BBox2D root, double top)
 {
     const double scale = scale_of(root);
-    fputs("<g fill=\"" SVG_SKY "\" stroke=\"" SVG_BLUE "\" stroke-width=\"0.5\">\n", file);
+    svg_group_begin(file, id, "fill=\"" SVG_SKY "\" stroke=\"" SVG_BLUE "\" stroke-width=\"0.5\"");
     for (int i = 0; i < scene->n_circles; i++) {
         const Circle circle = scene->circles[i];
-        svg_circle(file, left + (circle.x - root.minX) * scale,
+        svg_circle(file, LEFT + (circle.x - root.minX) * scale,
                    top + (circle.y - root.minY) * scale, circle.radius * scale, "");
     }
-    fputs("</g>\n", file);
+    svg_group_end(file);
 }
 
 static void leaves_draw(FILE *file, const PlaneTree *tree, double left, double top)
 {
     const double scale = scale_of(tree->root);
-    fputs("<g fill=\"none\" stroke=\"" SVG_BLACK "\">\n", file);
+    svg_boxes_begin(file, "fill=\"none\" stroke=\"" SVG_BLACK "\"");
     for (u32 i = 0; i < tree->n_leaves; i++) {
         const BBox2D cell = tree->leaves[i];
-        svg_box(file, left + (cell.minX - tree->root.minX) * scale,
-                top + (cell.minY - tree->root.minY) * scale,
-                ((double)cell.maxX - cell.minX) * scale, ((double)cell.maxY - cell.minY) * scale,
-                "");
+        svg_boxes_add(file, left + (cell.minX - tree->root.minX) * scale,
+                      top + (cell.minY - tree->root.minY) * scale,
+                      ((double)cell.maxX - cell.minX) * scale,
+                      ((double)cell.maxY - cell.minY) * scale);
     }
-    fputs("</g>\n", file);
+    svg_boxes_end(file);
 }
 
-static void row_draw(FILE *file, const Scene2D *scene, double top)
+static void row_draw(FILE *file, const char *id, const Scene2D *scene, double top)
 {
     for (int i = 0; i < N_COLUMNS; i++) {
         const double left = LEFT + i * (PANEL + GAP);
         PlaneTree tree = plane_tree_grow(scene, COLUMNS[i].rule);
         const double bottom = top + ((double)tree.root.maxY - tree.root.minY) * scale_of(tree.root);
-        circles_draw(file, scene, tree.root, left, top);
+        if (i == 0) {
+            circles_draw(file, id, scene, tree.root, top);
+        } else {
+            svg_use(file, id, left - LEFT, 0);
+        }
         leaves_draw(file, &tree, left, top);
         svg_text(file, left + PANEL / 2.0, bottom + 26, SVG_MIDDLE, "",
                  "%.1f steps + %.1f tests = %.1f", tree.steps, tree.tests, tree.steps + tree.tests);
@@ -79,8 +84,8 @@ void draw_weights(FILE *file, const Followed *followed)
         svg_text(file, LEFT + i * (PANEL + GAP) + PANEL / 2.0, TOP - 18, SVG_MIDDLE, "", "%s",
                  COLUMNS[i].title);
     }
-    row_draw(file, &random, TOP);
-    row_draw(file, &clusters, TOP + ROW);
+    row_draw(file, "weights-random", &random, TOP);
+    row_draw(file, "weights-clusters", &clusters, TOP + ROW);
     svg_end(file);
     scene2d_free(&random);
     scene2d_free(&clusters);
