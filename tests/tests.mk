@@ -211,12 +211,16 @@ NATIVE_TEST = $(OUT)/tests/test_cl_setup
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
-# All that `make test` runs, which tries each suite's heart (tests/tap.sh).
-suites: all $(UNIT_ANSWERS) $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native memcheck-libraries \
-    $(filter $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(VIEWS) $(PIXELS))
+# All that `make test` runs, which tries each suite's heart (tests/tap.sh): with SDL and clang's sanitizers where they are.
+suites: all $(UNIT_ANSWERS) $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native \
+    $(filter $(OUT)/pixel/solutions/%,$(PIXELS)) $$(if $$(shell $$(has_sdl) && echo yes),$$(SEEN_SOLUTIONS)) \
+    $$(if $$(shell $$(has_sanitizers) && echo yes),memcheck-libraries)
+SEEN_SOLUTIONS := $(filter $(OUT)/view/solutions/%,$(VIEWS))
+has_sdl = pkg-config --exists sdl2 SDL2_ttf 2>/dev/null
+has_sanitizers = echo 'int main(void) { return 0; }' | clang -fsanitize=memory -x c - -o /dev/null 2>/dev/null
 heart: suites unit-tests
 # The bench is built here, too: it must not break unnoticed.
-tests: suites views pixels $(FIGURES) $(OUT)/tools/plane_costs $$(BENCH_PROGRAMS)  ## build all that the tests run
+tests: suites memcheck-libraries views pixels $(FIGURES) $(OUT)/tools/plane_costs $$(BENCH_PROGRAMS)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run all tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
@@ -225,10 +229,10 @@ test:  ## install what is missing and run the tests' heart: minutes
 	@$(MAKE) --no-print-directory heart
 	@HEART=1 BUILD="$(BUILD)" tests/run.sh
 test-all:  ## install what is missing and run every test, end to end
-	@common/setup/install.sh test
+	@common/setup/install.sh test test-all
 	@$(MAKE) --no-print-directory check
 test-scale:  ## install what is missing, grade a class of N=1000, try mechanical mutants of every lab (long)
-	@common/setup/install.sh test scale
+	@common/setup/install.sh test test-all scale
 	@$(MAKE) --no-print-directory grader
 	@BUILD="$(BUILD)" tests/run.sh slurm
 	@tests/scale/run.sh "$${N:-1000}" $(OUT)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Install the packages of packages.txt that are missing for targets of make.
 #
-#     common/setup/install.sh [--print] TARGET...      of grade, view, editor, notes, demo, test, bench, scale, handout
+#     common/setup/install.sh [--print] TARGET...      of grade, view, editor, notes, demo, test, test-all, bench, scale,
+#                                                     handout
 #
 # Does nothing and says nothing when all are there. Otherwise it says what it installs, and how many MB that takes,
 # before it does. Without apt it prints what is missing, with the command of Fedora or Arch, and stops. With --print it

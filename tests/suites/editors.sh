@@ -4,7 +4,7 @@
 . tests/tap.sh
 
 if ! command -v clangd >/dev/null; then
-    skip "what clangd says" "clangd is not installed: common/setup/install.sh test"
+    skip "what clangd says" "clangd is not installed: common/setup/install.sh test-all"
     finish
     exit
 fi

@@ -9,6 +9,11 @@ set -u
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 memcheck=$build/tools/memcheck
+if [ -n "${HEART:-}" ] && [ ! -e "$build/memcheck/memory.so" ]; then
+    skip "memcheck" "clang and its sanitizers are not installed: make test-all installs them"
+    finish
+    exit
+fi
 chmod 711 "$scratch"
 
 # memchecks STATUS LAB FOLDER [OPTION...]: does memcheck end so? What it said is in $scratch/said.

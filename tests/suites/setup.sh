@@ -101,10 +101,10 @@ ok $? "it asks apt for the list, without recommended packages" "asked for: $aske
 printf '#!/bin/sh\n[ "$APT_KNOWS" = "$2" ]\n' >"$bare/apt-cache"
 chmod +x "$bare/apt-cache"
 export APT_KNOWS
-optional=$(awk '!/^#/ && index("," $2 ",", ",test?,") { sub("/.*", "", $1); print $1 }' common/setup/packages.txt)
+optional=$(awk '!/^#/ && index("," $2 ",", ",test-all?,") { sub("/.*", "", $1); print $1 }' common/setup/packages.txt)
 for APT_KNOWS in $optional nothing; do
     rm -f "$APT_LOG"
-    check "with an apt that knows $APT_KNOWS it installs" runs 0 "$bare" test
+    check "with an apt that knows $APT_KNOWS it installs" runs 0 "$bare" test test-all
     asked=$(sed -n 's/^apt-get install.* --no-install-recommends -q -y //p' "$APT_LOG" | tr ' ' '\n' | grep -x -F "$optional" || true)
     case $APT_KNOWS in
     nothing) [ -z "$asked" ] ;;
@@ -116,7 +116,7 @@ done
 # Where all is installed it does nothing and says nothing.
 printf '#!/bin/sh\necho installed\n' >"$bare/dpkg-query"
 rm -f "$APT_LOG"
-check "nothing missing: nothing done" runs 0 "$bare" test
+check "nothing missing: nothing done" runs 0 "$bare" test test-all
 [ ! -e "$APT_LOG" ] && [ ! -s "$scratch/said" ]
 ok $? "and nothing said"
 

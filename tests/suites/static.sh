@@ -2,16 +2,27 @@
 # What can be said without running anything: format, warnings, static analysis, house rules.
 . tests/tap.sh
 
+# by TOOL NAME COMMAND...: a check by a tool that `make test` does without where it is not installed.
+by() {
+    tool=$1
+    shift
+    if [ -n "${HEART:-}" ] && ! command -v "$tool" >/dev/null; then
+        skip "$1" "$tool is not installed: make test-all installs it"
+    else
+        check "$@"
+    fi
+}
+
 sources=$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' 2>/dev/null)
 [ -n "$sources" ] || sources=$(find common kernels labs solutions tests -name '*.[ch]' -o -name '*.cpp' -o -name '*.cl')
 written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e ^tests/memcheck/faults/ -e '^tests/attacks/')
 
 # shellcheck disable=SC2086 # lists of names without spaces
-check "clang-format (make format mends it)" clang-format-19 --dry-run -Werror \
+by clang-format-19 "clang-format (make format mends it)" clang-format-19 --dry-run -Werror \
     --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' $written
 
 # shellcheck disable=SC2046,SC2086
-check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
+by cppcheck "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
     --enable=warning,performance,portability --suppress=missingIncludeSystem \
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
@@ -69,7 +80,7 @@ done
 # shellcheck disable=SC2046
 # SC2319: `ok $?` after a condition is meant to see the condition's own status.
 # shellcheck disable=SC2046
-check "shellcheck" shellcheck -e SC2319 $(git ls-files -- '*.sh' .ci/run '*/run_autograder' 2>/dev/null || find . -name '*.sh')
+by shellcheck "shellcheck" shellcheck -e SC2319 $(git ls-files -- '*.sh' .ci/run '*/run_autograder' 2>/dev/null || find . -name '*.sh')
 
 # What a user sets is text to make, too (Makefile). What makefiles mention and do not set is from outside.
 makefiles=$(git ls-files -- Makefile '*.mk' 2>/dev/null | grep . || find Makefile common tests slides-notes -name Makefile -o -name '*.mk')
