@@ -1,7 +1,6 @@
-// Molecules as 3D scenes: atom by atom while a file is read, then the view and the lights.
+// Molecules as 3D scenes: the readers of two formats, and what they share: atom by atom while a
+// file is read, then the view and the lights. Labs do not need it.
 //
-// What the readers of the two formats share, molecule_pdb.c and molecule_xyz.c; labs do not need
-// it.
 // Read next: elements.h, molecule_xyz.c.
 #ifndef COMMON_MOLECULE_H
 #define COMMON_MOLECULE_H
@@ -9,6 +8,18 @@
 #include "elements.h"
 #include "line_reader.h"
 #include "scene3d_builder.h"
+
+// Read a molecule: PDB (the ATOM and HETATM records of its first model, every atom once: of each
+// residue's alternate locations the first) or XYZ (its first frame). Atoms become spheres with
+// their van-der-Waals radii and CPK colours (elements.h), in Angstrom; elements that are not known
+// are drawn pink, counted and named in one warning. Coordinates lie within a million Angstrom. The
+// view is placed so that all atoms are seen in a picture at least as wide as high, 512x512 when the
+// user gives no size. A PDB file that ends within an atom's name or coordinates, which have fixed
+// columns, was cut and is refused; of the other formats only the number of numbers tells. Where the
+// last line has no line end and nothing else is wrong, one warning says that it may have been cut
+// (all formats). Returns 0, or -1 after one message on stderr.
+int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene);
+int scene3d_read_xyz(FILE *file, const char *name, Scene3D *scene);
 
 // How many of the unknown elements a warning names.
 #define MOLECULE_MAX_NAMES 5

@@ -1,4 +1,4 @@
-// Molecules in files of the Protein Data Bank (scene3d_read_pdb() of scene3d.h).
+// Molecules in files of the Protein Data Bank (see molecule.h).
 //
 // A line is a record; its first six columns say which. Everything stands in fixed columns, as on
 // punched cards, often without a blank between. Atoms are read, everything else is passed over.

@@ -1,4 +1,4 @@
-// Molecules in XYZ files (scene3d_read_xyz() of scene3d.h).
+// Molecules in XYZ files (see molecule.h).
 //
 // How many atoms, a comment, then an atom a line: its element, three coordinates in Angstrom, and
 // what the program that wrote it thought fit. In extended XYZ the comment says which columns there

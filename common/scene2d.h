@@ -1,15 +1,10 @@
-// 2D scenes: circles from a CSV file or from a generator.
+// 2D scenes: circles from a CSV file or from a generator. SCENES.md lists all.
 //
-// Read next: a lab's main.c.
-//
-// A scene is named by one word, the argument of --scene:
-//     FILE.csv                               columns by name: x,y,radius,depth,r,g,b[,a]
-//     random[:n=N,seed=S,min=R,max=R]        N circles, radii of min to max pixels (2 to 20);
-//                                            arguments in any order
-//     example                                the lecture's A to E (numbers are ours), 10x10 pixels
-//     equal-depths, borders, touching, huge, tiny, outside, none      edge cases
 // Generated centres, radii and pixels lie on a grid of 1/16 px: every comparison is then exact in
 // float, whatever the order of the arithmetic, and two right pictures are equal to the bit.
+//
+// A lab calls scene2d_open() and scene2d_free(); what is below is for what makes or reads scenes.
+// Read next: a lab's main.c.
 #ifndef COMMON_SCENE2D_H
 #define COMMON_SCENE2D_H
 
@@ -24,6 +19,18 @@ typedef struct Scene2D {
     int width;  // the picture it is made for, pixels
     int height;
 } Scene2D;
+
+// Load or generate the scene that `name` stands for (SCENES.md): "random:n=100", "a.csv".
+//   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
+//                   (10x10 for the example, SCENE2D_DEFAULT_SIZE squared for the others)
+// Returns 0, or -1 after one message on stderr that names the file and line or the argument, what
+// was found and what was expected. Release with scene2d_free().
+int scene2d_open(const char *name, int width, int height, Scene2D *scene);
+
+// Release the circles; a zeroed Scene2D is fine.
+void scene2d_free(Scene2D *scene);
+
+// ---- For what makes or reads a scene ---------------------------------------------------------------
 
 // The picture's size where neither --size nor the scene says one.
 #define SCENE2D_DEFAULT_SIZE 1024
@@ -47,22 +54,12 @@ typedef struct Scene2D {
 // Every name of a scene but the edge cases', for messages.
 #define SCENE2D_NAMES "FILE.csv, random[:n=N,seed=S,min=R,max=R]"
 
-// Load or generate the scene that `name` stands for (see above).
-//   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
-//                   (10x10 for the example, SCENE2D_DEFAULT_SIZE squared for the others)
-// Returns 0, or -1 after one message on stderr that names the file and line or the argument, what
-// was found and what was expected. Release with scene2d_free().
-int scene2d_open(const char *name, int width, int height, Scene2D *scene);
-
 // The same for those that are made, never a file.
 int scene2d_generate(const char *name, int width, int height, Scene2D *scene);
 
 // Make room for a scene of this many circles, all zero; labs do not need it. Returns 0, or -1 after
 // one message on stderr (no memory).
 int scene2d_create(int n_circles, int width, int height, Scene2D *scene);
-
-// Release the circles; a zeroed Scene2D is fine.
-void scene2d_free(Scene2D *scene);
 
 // Read circles from CSV text. The first line names the columns, in any order; unknown names are an
 // error, as are missing columns, text that is no number, NaN, infinities, a negative radius. Lines

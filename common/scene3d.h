@@ -1,20 +1,8 @@
 // 3D scenes: spheres, what they look like, lights and the view, from a file or from a generator.
+// Space is right-handed. SCENES.md lists all scenes.
 //
-// Read next: a 3D lab's main.c.
-//
-// A scene is named by one word, the argument of --scene:
-//     FILE.nff                               Haines' Neutral File Format (scene3d_nff.c)
-//     FILE.pdb (or .ent), FILE.xyz           molecules (molecule.h)
-//     sphereflake[:size=N]                   Haines' "balls": 1, 10, 91, 820, 7381, ... spheres for
-//                                            N = 0, 1, 2, 3, 4, ...; N is 4 when not given
-//     random[:n=N,seed=S,min=R,max=R]        N spheres (1000) with centres in the cube [-1, 1]^3;
-//                                            radii of min to max, which follow N when not given
-//     lattice[:n=N]                          N x N x N equal spheres; N is 10 when not given
-//     clusters[:n=N,seed=S]                  N spheres (1000) in eight heaps, and nothing between
-//     stadium[:n=N,seed=S]                   N spheres (1000), nine of ten of them a teapot in a
-//                                            stadium a hundred times as wide
-//     inside, planes, one-cell, one, none, coincident, large-small, behind     edge cases
-// Arguments come in any order. Space is right-handed.
+// A lab calls scene3d_open(), scene3d_free() and scene3d_fov(); what is below is for what makes or
+// reads scenes. Read next: a 3D lab's main.c.
 #ifndef COMMON_SCENE3D_H
 #define COMMON_SCENE3D_H
 
@@ -48,6 +36,22 @@ typedef struct Scene3D {
     int height;
 } Scene3D;
 
+// Load or generate the scene that `name` stands for (SCENES.md): "sphereflake:size=3", "a.nff".
+//   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
+// A scene without a light gets one at the eye. Returns 0, or -1 after one message on stderr that
+// names the file and line or the argument, what was found and what was expected. Release with
+// scene3d_free().
+int scene3d_open(const char *name, int width, int height, Scene3D *scene);
+
+// Release what the scene holds; a zeroed Scene3D is fine.
+void scene3d_free(Scene3D *scene);
+
+// The display's width over its distance from the eye, for a picture of this size (Camera's fov).
+// The rows' centres span view.angle; pixels are squares.
+f32 scene3d_fov(const View *view, int width, int height);
+
+// ---- For what makes or reads a scene ------------------------------------------------------------
+
 // Every name of a scene but the edge cases', for messages.
 #define SCENE3D_NAMES                                                                              \
     "FILE.nff, FILE.pdb, FILE.xyz, sphereflake[:size=N], random[:n=N,seed=S,min=R,max=R], "        \
@@ -77,20 +81,8 @@ typedef struct Scene3D {
 // The picture's size where neither --size nor the scene says one.
 #define SCENE3D_DEFAULT_SIZE 512
 
-// Load or generate the scene that `name` stands for (see above).
-//   width, height   the picture's size; 0, 0 when the user gave none: the scene then chooses
-// A scene without a light gets one at the eye. Returns 0, or -1 after one message on stderr that
-// names the file and line or the argument, what was found and what was expected. Release with
-// scene3d_free().
-int scene3d_open(const char *name, int width, int height, Scene3D *scene);
-
 // The same for those that are made, never a file.
 int scene3d_generate(const char *name, int width, int height, Scene3D *scene);
-
-// Release what the scene holds; a zeroed Scene3D is fine.
-void scene3d_free(Scene3D *scene);
-
-// Three functions for what makes or reads a scene; labs do not need them.
 
 // Make room for a scene of this many spheres, materials and lights, all zero, and give it the
 // usual view: seen from `from` towards the origin, z up, 45 degrees. Sphere i is of material
@@ -107,10 +99,6 @@ Vec3 scene3d_light_color(int n_lights);
 // Returns 0, or -1 after one message; the scene is then released.
 int scene3d_settle(const char *name, int width, int height, int made, Scene3D *scene);
 
-// The display's width over its distance from the eye, for a picture of this size (Camera's fov).
-// The rows' centres span view.angle; pixels are squares.
-f32 scene3d_fov(const View *view, int width, int height);
-
 // Is the view one that a camera can be set up from? Returns NULL, or what is wrong with it: "the
 // view's direction is zero (from is at)", "up is zero", "up is parallel to the view",
 // or that one of them is too short or too long for float (1e-32 to 1e32).
@@ -120,35 +108,6 @@ const char *scene3d_view_fault(const View *view);
 // its own: below, neighbours get the same direction in float. It depends on where the view looks,
 // as float is finer near 0; along an axis it is all but 0.
 double scene3d_smallest_angle(const View *view, int height);
-
-// Read a scene in the Neutral File Format: v (the view: from, at, up, angle, hither and resolution
-// on six lines, in any order), b, l, f, s. Cones, polygons and patches (c, p, pp), which this
-// course does not draw, are skipped, counted and named in one warning on stderr; their numbers may
-// stand on one line or on many, as Haines' own programs and his text do not agree. Everything else
-// is an error with its line: unknown lines, lines cut off, text that is no number, NaN and
-// infinities, a sphere of radius 0, a view that does not work, is missing or comes twice. Colours
-// of b and f go from 0 to 1; lights, kd, ks, shine, transmittance, refraction and hither are at
-// least 0; the angle lies between 0 and 180 degrees; a side has 1 to 1 000 000 pixels. Without b
-// the background is black; spheres before the first f are white with kd = 1; a light without a
-// colour has the brightness 1 / sqrt(number of lights). A negative radius is a sphere seen from
-// inside. A comment begins with #, on a line of its own or after a blank; a # within a word is an
-// error.
-//   name   what messages call the file
-// Sets everything, width and height to the file's resolution. Returns 0, or -1 after one message on
-// stderr.
-int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene);
-
-// Read a molecule: PDB (the ATOM and HETATM records of its first model, every atom once: of each
-// residue's alternate locations the first) or XYZ (its first frame). Atoms become spheres with
-// their van-der-Waals radii and CPK colours (elements.h), in Angstrom; elements that are not known
-// are drawn pink, counted and named in one warning. Coordinates lie within a million Angstrom. The
-// view is placed so that all atoms are seen in a picture at least as wide as high, 512x512 when the
-// user gives no size. A PDB file that ends within an atom's name or coordinates, which have fixed
-// columns, was cut and is refused; of the other formats only the number of numbers tells. Where the
-// last line has no line end and nothing else is wrong, one warning says that it may have been cut
-// (all formats). Returns 0, or -1 after one message on stderr.
-int scene3d_read_pdb(FILE *file, const char *name, Scene3D *scene);
-int scene3d_read_xyz(FILE *file, const char *name, Scene3D *scene);
 
 // The generators. The same arguments give the same scene on every machine. They set everything but
 // width and height. Return 0, or -1 after one message on stderr (no memory).

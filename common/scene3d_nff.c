@@ -1,4 +1,4 @@
-// 3D scenes in Haines' Neutral File Format (scene3d_read_nff() of scene3d.h).
+// 3D scenes in Haines' Neutral File Format (see scene3d_nff.h).
 //
 // A line is a keyword and numbers; only cones, polygons and patches, which are skipped, may begin
 // and end anywhere. scene3d_nff_lines.c knows which numbers each takes and what they may be; here
@@ -7,8 +7,9 @@
 //
 // Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE Computer Graphics &
 // Applications 7(11), 1987, and the file NFF.TXT of his Standard Procedural Databases.
+#include "scene3d_nff.h"
+
 #include "scene3d_builder.h"
-#include "scene3d_nff_lines.h"
 
 #include <string.h>
 

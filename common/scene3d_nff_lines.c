@@ -1,7 +1,7 @@
-// The lines of a Neutral File Format file (see scene3d_nff_lines.h).
+// The lines of a Neutral File Format file (see scene3d_nff.h).
 //
 // Read next: scene3d_nff.c.
-#include "scene3d_nff_lines.h"
+#include "scene3d_nff.h"
 
 #include "number.h"
 #include "scene3d.h"

@@ -4,6 +4,8 @@
 #include "scene3d.h"
 
 #include "complain.h"
+#include "molecule.h"
+#include "scene3d_nff.h"
 #include "scene_arguments.h"
 #include "text_file.h"
 

@@ -5,8 +5,9 @@
 // Read next: common/scene3d.h.
 #include "fuzz.h"
 
+#include "molecule.h"
 #include "nff_text.h"
-#include "scene3d.h"
+#include "scene3d_nff.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #define UNIT_MOLECULE_SAMPLES_H
 
 #include "elements.h"
-#include "scene3d.h"
+#include "molecule.h"
 #include "surroundings.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef UNIT_NFF_SAMPLES_H
 #define UNIT_NFF_SAMPLES_H
 
-#include "scene3d.h"
+#include "scene3d_nff.h"
 #include "surroundings.h"
 
 // Text with its length, so that it may hold NUL bytes.

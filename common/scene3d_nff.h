@@ -1,13 +1,31 @@
-// The lines of a Neutral File Format file: keywords, and the numbers that belong to them.
+// Haines' Neutral File Format: reading a scene, and, for scene3d_nff.c, what each line may hold.
 //
 // One table in scene3d_nff_lines.c says what every line looks like. Read next: scene3d_nff.c, which
 // gives the lines their meaning.
-#ifndef COMMON_SCENE3D_NFF_LINES_H
-#define COMMON_SCENE3D_NFF_LINES_H
+#ifndef COMMON_SCENE3D_NFF_H
+#define COMMON_SCENE3D_NFF_H
 
 #include "line_reader.h"
+#include "scene3d.h"
 
 #include <stddef.h>
+
+// Read a scene in the Neutral File Format: v (the view: from, at, up, angle, hither and resolution
+// on six lines, in any order), b, l, f, s. Cones, polygons and patches (c, p, pp), which this
+// course does not draw, are skipped, counted and named in one warning on stderr; their numbers may
+// stand on one line or on many, as Haines' own programs and his text do not agree. Everything else
+// is an error with its line: unknown lines, lines cut off, text that is no number, NaN and
+// infinities, a sphere of radius 0, a view that does not work, is missing or comes twice. Colours
+// of b and f go from 0 to 1; lights, kd, ks, shine, transmittance, refraction and hither are at
+// least 0; the angle lies between 0 and 180 degrees; a side has 1 to 1 000 000 pixels. Without b
+// the background is black; spheres before the first f are white with kd = 1; a light without a
+// colour has the brightness 1 / sqrt(number of lights). A negative radius is a sphere seen from
+// inside. A comment begins with #, on a line of its own or after a blank; a # within a word is an
+// error.
+//   name   what messages call the file
+// Sets everything, width and height to the file's resolution. Returns 0, or -1 after one message on
+// stderr.
+int scene3d_read_nff(FILE *file, const char *name, Scene3D *scene);
 
 // The kinds of lines.
 typedef enum NffForm {
