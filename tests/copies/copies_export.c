@@ -57,76 +57,61 @@ static void function_write(FILE *file, const char *task, const char *answer)
     fprintf(file, "(void)\n{\n%s}\n\n", answer != NULL ? answer : "");
 }
 
-static int author_write(const Alike *alike, const char *folder, int number)
+// ---- Files -----------------------------------------------------------------------------------
+
+// What a file holds; of an author's answers `number`, from 1.
+typedef void FileWrite(FILE *file, const Alike *alike, int number);
+
+static void answers_write(FILE *file, const Alike *alike, int number)
 {
     const Manifest *manifest = &alike->class.manifest;
-    const Author *author = &alike->class.authors[number - 1];
-    char path[PATH_MAX];
-    OutputFile output;
-    path_make(path, "%s/answers/%03d", folder, number);
-    if (folder_make(path) != 0) {
-        return -1;
-    }
-    path_make(path, "%s/answers/%03d/answers.c", folder, number);
-    if (output_file_open(&output, path) != 0) {
-        return -1;
-    }
     for (int i = 0; i < manifest->n_tasks; i++) {
-        function_write(output.file, manifest->tasks[i].id, author->answers[i].text);
+        function_write(file, manifest->tasks[i].id,
+                       alike->class.authors[number - 1].answers[i].text);
     }
-    return output_file_commit(&output);
 }
 
-static int base_write(const Alike *alike, const char *folder)
+static void base_write(FILE *file, const Alike *alike, int number)
 {
     const Manifest *manifest = &alike->class.manifest;
-    char path[PATH_MAX];
-    OutputFile output;
-    path_make(path, "%s/base/answers.c", folder);
-    if (output_file_open(&output, path) != 0) {
-        return -1;
-    }
+    (void)number;
     for (int i = 0; i < manifest->n_tasks; i++) {
         char *skeleton = skeleton_read(manifest, manifest->tasks[i].file);
         char *hole = skeleton != NULL ? hole_read(skeleton, manifest->tasks[i].id) : NULL;
-        function_write(output.file, manifest->tasks[i].id, hole);
+        function_write(file, manifest->tasks[i].id, hole);
         free(skeleton), free(hole);
     }
-    return output_file_commit(&output);
 }
 
-// ---- Lists -----------------------------------------------------------------------------------
-
-static int info_write(const Alike *alike, const char *folder)
+static void info_write(FILE *file, const Alike *alike, int number)
 {
-    char path[PATH_MAX];
-    OutputFile output;
-    path_make(path, "%s/info.csv", folder);
-    if (output_file_open(&output, path) != 0) {
-        return -1;
-    }
-    fputs("filename,full_name\n", output.file);
+    (void)number;
+    fputs("filename,full_name\n", file);
     for (int i = 1; i <= alike->class.n_authors; i++) {
-        fprintf(output.file, "answers/%03d/answers.c,%03d\n", i, i);
+        fprintf(file, "answers/%03d/answers.c,%03d\n", i, i);
     }
-    return output_file_commit(&output);
 }
 
-static int names_write(const Alike *alike, const char *folder)
+static void names_write(FILE *file, const Alike *alike, int number)
 {
-    char path[PATH_MAX];
-    OutputFile output;
-    path_make(path, "%s/copies-names.csv", folder);
-    if (output_file_open(&output, path) != 0) {
-        return -1;
-    }
-    fputs("\"number\",\"id\",\"name\"\n", output.file);
+    (void)number;
+    fputs("\"number\",\"id\",\"name\"\n", file);
     for (int i = 0; i < alike->class.n_authors; i++) {
         const Entrant *entrant = alike->class.authors[i].entrant;
-        fprintf(output.file, "\"%03d\",\"%s\",", i + 1, entrant->slug);
-        csv_cell_write(output.file, entrant->label);
-        fputs("\n", output.file);
+        fprintf(file, "\"%03d\",\"%s\",", i + 1, entrant->slug);
+        csv_cell_write(file, entrant->label);
+        fputs("\n", file);
     }
+}
+
+// Write a file, whose folder is there. Returns 0, or -1 after one message.
+static int file_write(const Alike *alike, const char *path, FileWrite *write, int number)
+{
+    OutputFile output;
+    if (output_file_open(&output, path) != 0) {
+        return -1;
+    }
+    write(output.file, alike, number);
     return output_file_commit(&output);
 }
 
@@ -134,20 +119,32 @@ static int names_write(const Alike *alike, const char *folder)
 
 int copies_export(const Alike *alike, const char *output)
 {
-    char folder[PATH_MAX], answers[PATH_MAX], base[PATH_MAX];
-    path_make(folder, "%s/copies-export", output);
-    path_make(answers, "%s/answers", folder);
-    path_make(base, "%s/base", folder);
-    if (folder_remove(folder) != 0 && errno != ENOENT) {
-        return machine_fault(folder);
+    static const char *const folders[] = {"copies-export", "copies-export/base",
+                                          "copies-export/answers"};
+    static const struct {
+        const char *name;
+        FileWrite *write;
+    } files[] = {{"copies-export/info.csv", info_write},
+                 {"copies-export/base/answers.c", base_write},
+                 {"copies-names.csv", names_write}};
+    char path[PATH_MAX];
+    path_make(path, "%s/copies-export", output);
+    int result = folder_remove(path) != 0 && errno != ENOENT ? machine_fault(path) : 0;
+    for (size_t i = 0; result == 0 && i < sizeof folders / sizeof *folders; i++) {
+        path_make(path, "%s/%s", output, folders[i]);
+        result = folder_make(path);
     }
-    int result = folder_make(folder) | folder_make(answers) | folder_make(base);
+    for (size_t i = 0; result == 0 && i < sizeof files / sizeof *files; i++) {
+        path_make(path, "%s/%s", output, files[i].name);
+        result = file_write(alike, path, files[i].write, 0);
+    }
     for (int i = 1; result == 0 && i <= alike->class.n_authors; i++) {
-        result = author_write(alike, folder, i);
+        path_make(path, "%s/copies-export/answers/%03d", output, i);
+        result = folder_make(path);
+        path_make(path, "%s/copies-export/answers/%03d/answers.c", output, i);
+        result = result == 0 ? file_write(alike, path, answers_write, i) : -1;
     }
-    return result == 0
-               ? base_write(alike, folder) | info_write(alike, folder) | names_write(alike, output)
-               : -1;
+    return result;
 }
 
 void copies_export_print(const char *output, OtherTool tool)

@@ -10,19 +10,6 @@
 
 // ---- The head --------------------------------------------------------------------------------
 
-static void facts_write(FILE *page, const Alike *alike)
-{
-    const Pairs *pairs = &alike->pairs;
-    fprintf(page,
-            "<dl class=\"facts\">\n<div><dt>Authors</dt><dd>%d</dd></div>\n"
-            "<div><dt>Without an answer</dt><dd>%d</dd></div>\n"
-            "<div><dt>Cannot be read</dt><dd>%d</dd></div>\n"
-            "<div><dt>Pairs compared</dt><dd>%d</dd></div>\n"
-            "<div><dt>Pairs to look at</dt><dd>%d</dd></div>\n</dl>\n",
-            alike->class.n_authors, alike->class.n_without, alike->class.n_unread,
-            pairs->n_compared, pairs->n_listed);
-}
-
 // What an empty list would mean.
 static void reach_write(FILE *page, const Alike *alike)
 {
@@ -53,12 +40,16 @@ static void reach_write(FILE *page, const Alike *alike)
 
 static void head_write(FILE *page, const Alike *alike)
 {
-    fputs("<header>\n<p class=\"lab\">", page);
-    html_line(page, alike->class.manifest.lab);
-    fputs("</p>\n<h1>", page);
-    html_line(page, alike->class.manifest.title);
-    fputs(": answers that are alike</h1>\n", page);
-    facts_write(page, alike);
+    const HandedIn *class = &alike->class;
+    html_write(page,
+               "<header>\n<p class=\"lab\">%s</p>\n<h1>%s: answers that are alike</h1>\n"
+               "<dl class=\"facts\">\n<div><dt>Authors</dt><dd>%d</dd></div>\n"
+               "<div><dt>Without an answer</dt><dd>%d</dd></div>\n"
+               "<div><dt>Cannot be read</dt><dd>%d</dd></div>\n"
+               "<div><dt>Pairs compared</dt><dd>%d</dd></div>\n"
+               "<div><dt>Pairs to look at</dt><dd>%d</dd></div>\n</dl>\n",
+               class->manifest.lab, class->manifest.title, class->n_authors, class->n_without,
+               class->n_unread, alike->pairs.n_compared, alike->pairs.n_listed);
     reach_write(page, alike);
     fputs("</header>\n", page);
     side_by_side_reasons(page);
@@ -70,17 +61,16 @@ static void row_write(FILE *page, const Alike *alike, int i)
 {
     const Pair *pair = &alike->pairs.all[i];
     const Author *authors = alike->class.authors;
-    fprintf(page, "<tr><td class=\"number\"><a href=\"#pair-%d\">%d</a></td><td class=\"name\">",
-            i + 1, i + 1);
-    html_line(page, authors[pair->first].entrant->label);
-    fputs("</td><td class=\"name\">", page);
-    html_line(page, authors[pair->second].entrant->label);
+    html_write(page,
+               "<tr><td class=\"number\"><a href=\"#pair-%d\">%d</a></td>"
+               "<td class=\"name\">%s</td><td class=\"name\">%s</td>"
+               "<td class=\"number\">%d</td><td class=\"number\">%d</td>",
+               i + 1, i + 1, authors[pair->first].entrant->label,
+               authors[pair->second].entrant->label, pair->n_only_two, pair->n_shared);
     fprintf(page,
-            "</td><td class=\"number\">%d</td><td class=\"number\">%d</td>"
             "<td class=\"number\">%.0f%%</td><td class=\"number\">%.1f"
             "<div class=\"bar speed\"><div style=\"width: %.1f%%\"></div></div></td></tr>\n",
-            pair->n_only_two, pair->n_shared, 100 * pair->share, pair->score,
-            100 * pair->score / alike->pairs.all[0].score);
+            100 * pair->share, pair->score, 100 * pair->score / alike->pairs.all[0].score);
 }
 
 static void table_write(FILE *page, const Alike *alike)

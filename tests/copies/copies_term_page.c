@@ -38,19 +38,15 @@ static void table_write(FILE *page, const AlikeTerm *all)
     fputs("<div class=\"card\"><table>\n<thead><tr><th>Pair</th><th>Person</th><th>Person</th>",
           page);
     for (int lab = 0; lab < all->term.n_labs; lab++) {
-        fputs("<th class=\"number\">", page);
-        html_line(page, all->term.labs[lab].lab);
-        fputs("</th>", page);
+        html_write(page, "<th class=\"number\">%s</th>", all->term.labs[lab].lab);
     }
     fputs("<th class=\"number\">Score</th></tr></thead>\n<tbody>\n", page);
     for (int i = 0; i < all->n_listed; i++) {
         const TermPair *pair = &all->pairs[i];
-        fprintf(page, "<tr><td class=\"number\"><a href=\"#pair-%d\">%d</a></td>", i + 1, i + 1);
-        for (int is_second = 0; is_second < 2; is_second++) {
-            fputs("<td class=\"name\">", page);
-            html_line(page, person_of(all, pair, is_second));
-            fputs("</td>", page);
-        }
+        html_write(page,
+                   "<tr><td class=\"number\"><a href=\"#pair-%d\">%d</a></td>"
+                   "<td class=\"name\">%s</td><td class=\"name\">%s</td>",
+                   i + 1, i + 1, person_of(all, pair, 0), person_of(all, pair, 1));
         for (int lab = 0, at = 0; lab < all->term.n_labs; lab++) {
             if (at < pair->n_labs && pair->labs[at].lab == lab) {
                 fprintf(page, "<td class=\"number\">%.1f</td>", pair->labs[at++].pair->score);
@@ -66,15 +62,11 @@ static void table_write(FILE *page, const AlikeTerm *all)
 static void pair_write(FILE *page, const AlikeTerm *all, int i)
 {
     const TermPair *pair = &all->pairs[i];
-    fprintf(page, "<h2 class=\"section\" id=\"pair-%d\">%d. ", i + 1, i + 1);
-    html_line(page, person_of(all, pair, 0));
-    fputs(" and ", page);
-    html_line(page, person_of(all, pair, 1));
-    fputs("</h2>\n", page);
+    html_write(page, "<h2 class=\"section\" id=\"pair-%d\">%d. %s and %s</h2>\n", i + 1, i + 1,
+               person_of(all, pair, 0), person_of(all, pair, 1));
     for (int at = 0; at < pair->n_labs; at++) {
-        fputs("<div class=\"card\">\n<div class=\"title\"><b>", page);
-        html_line(page, all->term.labs[pair->labs[at].lab].lab);
-        fputs(": ", page);
+        html_write(page, "<div class=\"card\">\n<div class=\"title\"><b>%s: ",
+                   all->term.labs[pair->labs[at].lab].lab);
         side_by_side_write(page, &all->labs[pair->labs[at].lab], pair->labs[at].pair);
         fputs("</div>\n", page);
     }

@@ -133,7 +133,7 @@ static char *word_read(Parser *parser)
 static char *binary_read(Parser *parser, int lowest);
 
 // Items up to the closing sign, which is taken.
-static char *items_read(Parser *parser, const char *name, const char *closing)
+static FormList items_read(Parser *parser, const char *closing)
 {
     FormList list = {0};
     while (parser->at < parser->end && !take_sign(parser, closing)) {
@@ -143,7 +143,7 @@ static char *items_read(Parser *parser, const char *name, const char *closing)
         }
         parser->at += parser->at == before;  // a sign that nothing begins with
     }
-    return form_list_text(name, &list, 0);
+    return list;
 }
 
 // After "(": does a type stand there, and something that it is a cast of behind ")"?
@@ -164,17 +164,14 @@ static int is_cast(const Parser *parser)
 
 static char *type_read(Parser *parser)
 {
-    char *form = message_new("%s", "");
+    FormList words = {0};
     for (; !next_is(parser, ")") && parser->at < parser->end; parser->at++) {
         if (!is_qualifier(word_at(parser, 0))) {
-            char *longer =
-                message_new("%s%s%s", form, form[0] != '\0' ? " " : "", word_at(parser, 0)->text);
-            free(form);
-            form = longer;
+            form_list_add(&words, message_new("%s", word_at(parser, 0)->text));
         }
     }
     take_sign(parser, ")");
-    return form;
+    return form_list_bare(&words);
 }
 
 static char *unary_read(Parser *parser);
@@ -185,14 +182,7 @@ static char *bracket_read(Parser *parser)
         char *type = type_read(parser);
         return form_of("cast", type, unary_read(parser), 0);
     }
-    FormList list = {0};
-    while (parser->at < parser->end && !take_sign(parser, ")")) {
-        const int before = parser->at;
-        if (!take_sign(parser, ",")) {
-            form_list_add(&list, binary_read(parser, 1));
-        }
-        parser->at += parser->at == before;
-    }
+    FormList list = items_read(parser, ")");
     return form_list_bare(&list);  // brackets around one thing say nothing
 }
 
@@ -205,7 +195,8 @@ static char *primary_read(Parser *parser)
         return bracket_read(parser);
     }
     if (take_sign(parser, "{")) {
-        return items_read(parser, "{}", "}");
+        FormList list = items_read(parser, "}");
+        return form_list_text("{}", &list, 0);
     }
     return word_read(parser);
 }
@@ -225,10 +216,10 @@ static char *postfix_read(Parser *parser)
     char *form = primary_read(parser);
     while (parser->at < parser->end) {
         if (take_sign(parser, "(")) {
-            char *arguments = items_read(parser, "", ")");
-            char *call = message_new("%s%s", form, arguments);
-            free(form), free(arguments);
-            form = call;
+            FormList arguments = items_read(parser, ")");
+            char *called = form;
+            form = form_list_text(called, &arguments, 0);
+            free(called);
         } else if (take_sign(parser, "[")) {
             form = form_of("[]", form, binary_read(parser, 0), 0);
             take_sign(parser, "]");

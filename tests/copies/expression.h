@@ -8,7 +8,7 @@
 #ifndef COPIES_EXPRESSION_H
 #define COPIES_EXPRESSION_H
 
-#include "name_set.h"
+#include "form_list.h"
 #include "source_words.h"
 
 // The names that an answer declares: each is written "_", so that renaming them changes nothing.

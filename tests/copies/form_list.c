@@ -2,7 +2,9 @@
 #include "form_list.h"
 
 #include "complain.h"
+#include "message.h"
 
+#include <search.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -96,4 +98,34 @@ char *form_of(const char *name, char *first, char *second, int is_sorted)
         form_list_add(&list, second);
     }
     return form_list_text(name, &list, is_sorted);
+}
+
+// ---- Sets of names ---------------------------------------------------------------------------
+
+static int names_compare(const void *left, const void *right)
+{
+    return strcmp(left, right);
+}
+
+int name_set_add(NameSet *set, const char *name)
+{
+    if (name_set_has(set, name)) {
+        return 0;
+    }
+    if (tsearch(message_new("%s", name), &set->root, names_compare) == NULL) {
+        memory_end();
+    }
+    set->n++;
+    return 1;
+}
+
+int name_set_has(const NameSet *set, const char *name)
+{
+    return tfind(name, &set->root, names_compare) != NULL;
+}
+
+void name_set_free(NameSet *set)
+{
+    tdestroy(set->root, free);
+    *set = (NameSet){0};
 }

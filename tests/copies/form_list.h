@@ -1,4 +1,4 @@
-// Texts put together to forms, and arrays that grow. Whatever finds no memory ends the program
+// Texts put together to forms, sets of names, and arrays that grow. Whatever finds no memory ends the program
 // after one message: an instructor starts it anew, and nothing is lost.
 #ifndef COPIES_FORM_LIST_H
 #define COPIES_FORM_LIST_H
@@ -33,5 +33,18 @@ char *form_list_bare(FormList *list);
 
 // "name(first,second)"; takes both over. second: NULL for none.
 char *form_of(const char *name, char *first, char *second, int is_sorted);
+
+// A set of names, for which finding one stays quick however many there are.
+// Start with {0}; release with name_set_free().
+typedef struct NameSet {
+    void *root;
+    int n;
+} NameSet;
+
+// Add a copy of the name. Returns 1, or 0 if it is there already. Running out of memory ends the
+// program.
+int name_set_add(NameSet *set, const char *name);
+int name_set_has(const NameSet *set, const char *name);
+void name_set_free(NameSet *set);
 
 #endif

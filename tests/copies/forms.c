@@ -1,13 +1,9 @@
 // Reading the forms of an answer, statement by statement (see forms.h).
 #include "forms.h"
 
-#include "expression.h"
 #include "form_list.h"
-#include "forms_add.h"
-#include "live_text.h"
-#include "macros.h"
+#include "forms_parts.h"
 #include "message.h"
-#include "remarks.h"
 
 #include <stdlib.h>
 #include <string.h>

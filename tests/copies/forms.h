@@ -10,7 +10,7 @@
 #ifndef COPIES_FORMS_H
 #define COPIES_FORMS_H
 
-#include "name_set.h"
+#include "form_list.h"
 
 typedef enum FormKind {
     FORM_STATEMENT,
@@ -36,7 +36,7 @@ typedef struct Forms {
     int n_conditional;     // words between directives of which nobody can tell whether they hold
     int n_with_directive;  // macros that stand for statements, and included files
     int is_cut;            // there was more than the limits allow (FORMS_MAX, expression.h)
-    void *seen;            // see forms_add.h
+    void *seen;            // see forms_add.c
 } Forms;
 
 // Read the forms of the text in a hole. Of more different ones than this many only the first.

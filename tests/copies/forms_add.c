@@ -1,5 +1,5 @@
-// Telling forms apart while they are collected (see forms_add.h).
-#include "forms_add.h"
+// Telling forms apart while they are collected (see forms_parts.h).
+#include "forms_parts.h"
 
 #include "form_list.h"
 

@@ -90,18 +90,17 @@ void hard_write(FILE *page, const Alike *alike)
           "<tbody>\n",
           page);
     for (int i = 0; i < class->n_unread; i++) {
-        fputs("<tr><td class=\"name\">", page);
-        html_line(page, class->unread[i]->label);
-        fputs("</td><td>files that cannot be read: nothing is compared</td></tr>\n", page);
+        html_write(page,
+                   "<tr><td class=\"name\">%s</td>"
+                   "<td>files that cannot be read: nothing is compared</td></tr>\n",
+                   class->unread[i]->label);
     }
     for (int i = 0; i < class->n_authors; i++) {
         char *reason = hard_reason(alike, &class->authors[i]);
         if (reason != NULL) {
             fputs("<tr><td class=\"name\">", page);
             author_name_write(page, alike, &class->authors[i]);
-            fputs("</td><td>", page);
-            html_line(page, reason);
-            fputs("</td></tr>\n", page);
+            html_write(page, "</td><td>%s</td></tr>\n", reason);
         }
         free(reason);
     }

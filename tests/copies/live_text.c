@@ -1,5 +1,5 @@
-// Following #if, #elif, #else and #endif (see live_text.h).
-#include "live_text.h"
+// Following #if, #elif, #else and #endif (see forms_parts.h).
+#include "forms_parts.h"
 
 #include "form_list.h"
 #include "source_words.h"

@@ -1,5 +1,5 @@
-// Reading #define (see macros.h).
-#include "macros.h"
+// Reading #define (see forms_parts.h).
+#include "forms_parts.h"
 
 #include "form_list.h"
 

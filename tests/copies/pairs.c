@@ -1,5 +1,5 @@
-// Comparing any two authors (see pairs.h).
-#include "pairs.h"
+// Comparing any two authors (see pairs.h), and all for a class (see alike.h).
+#include "alike.h"
 
 #include "form_list.h"
 
@@ -180,4 +180,30 @@ int author_has(const Pairs *pairs, int author, int id)
 {
     const Ids *ids = &pairs->ids[author];
     return bsearch(&id, ids->all, (size_t)ids->n, sizeof *ids->all, ids_compare) != NULL;
+}
+
+// ---- A class ---------------------------------------------------------------------------------
+
+int alike_read(const char *build, const char *lab, const char *folder, Alike *alike)
+{
+    *alike = (Alike){0};
+    if (handed_in_read(build, lab, folder, &alike->class) != 0) {
+        return -1;
+    }
+    weights_make(&alike->class, &alike->weights);
+    pairs_find(&alike->class, &alike->weights, &alike->pairs);
+    return 0;
+}
+
+void alike_free(Alike *alike)
+{
+    pairs_free(&alike->pairs);
+    weights_free(&alike->weights);
+    handed_in_free(&alike->class);
+}
+
+int is_shared(const Alike *alike, const Pair *pair, int id)
+{
+    return alike->weights.all[id].nats > 0 && author_has(&alike->pairs, pair->first, id) &&
+           author_has(&alike->pairs, pair->second, id);
 }

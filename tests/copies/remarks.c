@@ -1,8 +1,7 @@
-// Finding comments and blanks between the words of a source (see remarks.h).
-#include "remarks.h"
+// Finding comments and blanks between the words of a source (see forms_parts.h).
+#include "forms_parts.h"
 
 #include "form_list.h"
-#include "forms_add.h"
 #include "message.h"
 
 #include <ctype.h>

@@ -2,7 +2,7 @@
 #ifndef COPIES_SCOPE_H
 #define COPIES_SCOPE_H
 
-#include "name_set.h"
+#include "form_list.h"
 
 // All names of hole `id` that stand before it and in a block around it, or in none; those of blocks
 // that ended before are not among them, nor are members. Of a text without the hole there are none.

@@ -1,11 +1,13 @@
 // Writing two answers beside each other (see side_by_side.h).
 #include "side_by_side.h"
 
+#include "form_list.h"
 #include "html.h"
-#include "marked_lines.h"
 #include "message.h"
 #include "path.h"
 
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 void author_name_write(FILE *page, const Alike *alike, const Author *author)
@@ -15,10 +17,118 @@ void author_name_write(FILE *page, const Alike *alike, const Author *author)
               author->entrant->slug);
     const int has_report = alike->reports != NULL && access(path, F_OK) == 0;
     if (has_report) {
-        fprintf(page, "<a href=\"students/%s/report.html\">", author->entrant->slug);
+        html_write(page, "<a href=\"students/%s/report.html\">%s</a>", author->entrant->slug,
+                   author->entrant->label);
+    } else {
+        html_line(page, author->entrant->label);
     }
-    html_line(page, author->entrant->label);
-    fputs(has_report ? "</a>" : "", page);
+}
+
+// ---- Lines that few others have ---------------------------------------------------------------
+
+typedef struct MarkedLine {
+    char *text;     // in MarkedLines.text
+    int n_authors;  // of the rarest form at this line that both have, or 0 if none is rare
+    int is_shown;
+} MarkedLine;
+
+typedef struct MarkedLines {
+    char *text;  // owned
+    MarkedLine *all;
+    int n;
+} MarkedLines;
+
+// An answer of no more lines is shown whole; of a longer one so many around each marked line.
+enum { MOST_LINES = 400, LINES_AROUND = 4 };
+
+static void lines_split(const char *text, MarkedLines *lines)
+{
+    lines->text = message_new("%s", text);
+    for (char *rest = lines->text; rest != NULL && *rest != '\0';) {
+        lines->all = array_grow(lines->all, lines->n, sizeof *lines->all);
+        lines->all[lines->n++] = (MarkedLine){.text = strsep(&rest, "\n")};
+    }
+}
+
+static int is_rare(const Alike *alike, const Pair *pair, const Form *form)
+{
+    return form->kind != FORM_NAME &&
+           4 * alike->weights.all[form->id].n_authors <= alike->class.n_authors + 4 &&
+           is_shared(alike, pair, form->id);
+}
+
+static void lines_mark(const Alike *alike, const Pair *pair, const Forms *forms, MarkedLines *lines)
+{
+    for (int i = 0; i < forms->n; i++) {
+        const Form *form = &forms->all[i];
+        if (!is_rare(alike, pair, form)) {
+            continue;
+        }
+        const int n_authors = alike->weights.all[form->id].n_authors;
+        for (int at = form->first_line - 1; at < form->last_line && at < lines->n; at++) {
+            int *fewest = &lines->all[at].n_authors;
+            *fewest = *fewest == 0 || n_authors < *fewest ? n_authors : *fewest;
+        }
+    }
+}
+
+static int is_empty(const char *line)
+{
+    return line[strspn(line, " \t\r\v\f")] == '\0';
+}
+
+// Show what is near marked lines.
+static void lines_near(MarkedLines *lines)
+{
+    for (int i = 0; i < lines->n; i++) {
+        const int is_marked = lines->all[i].n_authors > 0;
+        for (int near = i - LINES_AROUND; is_marked && near <= i + LINES_AROUND; near++) {
+            if (near >= 0 && near < lines->n) {
+                lines->all[near].is_shown = 1;
+            }
+        }
+    }
+}
+
+// Choose what is shown, MOST_LINES at most.
+static void lines_choose(MarkedLines *lines)
+{
+    int n_shown = 0, n_kept = 0;
+    for (int i = 0; i < lines->n; i++) {
+        const int is_next_empty =
+            i > 0 && is_empty(lines->all[i].text) && is_empty(lines->all[i - 1].text);
+        lines->all[i].is_shown = !is_next_empty;
+        n_kept += !is_next_empty;
+    }
+    if (n_kept > MOST_LINES) {
+        for (int i = 0; i < lines->n; i++) {
+            lines->all[i].is_shown = 0;
+        }
+        lines_near(lines);
+    }
+    for (int i = 0; i < lines->n; i++) {
+        lines->all[i].is_shown &= n_shown < MOST_LINES;
+        n_shown += lines->all[i].is_shown;
+    }
+}
+
+// The lines of an answer that is there, with the forms that both authors of a pair and no more than
+// a quarter of the class have. Of a long answer only what is near such forms is shown, and of a run
+// of empty lines only the first.
+static MarkedLines marked_lines(const Alike *alike, const Pair *pair, const Answer *answer)
+{
+    MarkedLines lines = {0};
+    lines_split(answer->text, &lines);
+    lines_mark(alike, pair, &answer->forms, &lines);
+    lines_choose(&lines);
+    return lines;
+}
+
+static void marked_lines_free(MarkedLines *lines)
+{
+    free(lines->text);
+    free(lines->all);
+    *lines = (MarkedLines){0};
 }
 
 // ---- What is shared --------------------------------------------------------------------------
@@ -32,9 +142,7 @@ static void line_write(FILE *page, const Alike *alike, const MarkedLine *line)
         fprintf(page, " rare\" title=\"%d of %d have this", line->n_authors,
                 alike->class.n_authors);
     }
-    fputs("\">", page);
-    html_line(page, line->text);
-    fputs("</span>", page);
+    html_write(page, "\">%s</span>", line->text);
 }
 
 static void answer_write(FILE *page, const Alike *alike, const Pair *pair, const Answer *answer)
@@ -69,10 +177,8 @@ static void also_write(FILE *page, const Alike *alike, const Pair *pair)
         const Weight *weight = &alike->weights.all[id];
         if (weight->form->kind == FORM_NAME && weight->n_authors > 1 &&
             4 * weight->n_authors <= alike->class.n_authors + 4 && is_shared(alike, pair, id)) {
-            fputs(n++ == 0 ? "<p class=\"soft\">Names that few others have: <code>" : ", <code>",
-                  page);
-            html_line(page, weight->form->text);
-            fputs("</code>", page);
+            fputs(n++ == 0 ? "<p class=\"soft\">Names that few others have: " : ", ", page);
+            html_write(page, "<code>%s</code>", weight->form->text);
         }
     }
     fputs(n > 0 ? "</p>\n" : "", page);
@@ -119,9 +225,7 @@ void side_by_side_write(FILE *page, const Alike *alike, const Pair *pair)
             pair->n_shared, pair->n_only_two, 100 * pair->share);
     also_write(page, alike, pair);
     for (int t = 0; t < manifest->n_tasks; t++) {
-        fputs("<div class=\"answers\"><h3>", page);
-        html_line(page, manifest->tasks[t].id);
-        fputs("</h3>\n", page);
+        html_write(page, "<div class=\"answers\"><h3>%s</h3>\n", manifest->tasks[t].id);
         for (int a = 0; a < 2; a++) {
             answer_write(page, alike, pair, &authors[a]->answers[t]);
         }

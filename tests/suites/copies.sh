@@ -86,6 +86,18 @@ own() { # AUTHOR N LAB FILE TASK
     fi
 }
 own_renamed() { own "$@" | renamed copy | sed 's/^ *//'; }
+# The same in another order, as a text that nobody runs: statements that follow each other from the last to the first,
+# operands exchanged.
+own_reordered() {
+    own "$@" | awk '
+        function run_end() { for (; n > 0; n--) print run[n] }
+        { indent = match($0, /[^ ]/) }
+        n > 0 && indent != at { run_end() }
+        /;$/ && !/(if|return|for|continue)/ { run[++n] = $0; at = indent; next }
+        { run_end(); print }
+        END { run_end() }' |
+        sed -E 's/\(([^()&|]*) && ([^()&|]*)\)/(\2 \&\& \1)/; s/([=(]) (\w+) ([+*]) (\w+);/\1 \4 \3 \2;/'
+}
 
 class_make() { # LAB
     rm -rf "$class"
@@ -96,7 +108,7 @@ class_make() { # LAB
     hand_in "pair2 a" "$1" own second 1 "$1"
     hand_in "pair2 b" "$1" own_renamed second 1 "$1"
     hand_in "pair3 a" "$1" own third 2 "$1"
-    hand_in "pair3 b" "$1" own third-reordered 2 "$1"
+    hand_in "pair3 b" "$1" own_reordered third 2 "$1"
 }
 planted() { # the first three pairs are the planted ones
     found=$(for n in 1 2 3; do pair $n; done | sort)
@@ -359,7 +371,7 @@ several() { # LAB ADA
     rm -rf "$class"
     for i in 1 2 3 4 5 6 7 8; do hand_in "innocent $i" "$1" innocent $i "$1"; done
     hand_in "$2" "$1" own third 2 "$1"
-    hand_in "Grace Hopper" "$1" own third-reordered 2 "$1"
+    hand_in "Grace Hopper" "$1" own_reordered third 2 "$1"
 }
 term_of() { "$build/tools/copies" --build "$build" -- term "$scratch/term" "$scratch/g5" "$scratch/g3" >"$scratch/said" 2>&1; }
 class=$scratch/class03

@@ -9,6 +9,7 @@
 #include "html_style.h"
 
 #include <limits.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,6 +34,29 @@ void html_line(FILE *page, const char *line)
     free(clean);
 }
 
+void html_write(FILE *page, const char *template, ...)
+{
+    va_list values;
+    va_start(values, template);
+    for (const char *at = template; *at != '\0'; at++) {
+        if (*at != '%') {
+            fputc(*at, page);
+        } else if (*++at == 's') {
+            html_line(page, va_arg(values, const char *));
+        } else if (*at == 'd') {
+            fprintf(page, "%d", va_arg(values, int));
+        } else if (strncmp(at, ".1f", 3) == 0) {
+            fprintf(page, "%.1f", va_arg(values, double));
+            at += 2;
+        } else if (*at == '%') {
+            fputc('%', page);
+        } else {
+            abort();  // a template of ours that is wrong
+        }
+    }
+    va_end(values);
+}
+
 void html_message(FILE *page, const char *message)
 {
     char *clean = message_clean(message);
@@ -52,10 +76,10 @@ static void page_begin(FILE *page, const char *title, const char *policy)
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
             "%s; style-src 'unsafe-inline'\">\n"
-            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
             policy);
-    html_line(page, title);
-    fprintf(page, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n", html_style);
+    html_write(page, "<title>%s</title>\n", title);
+    fprintf(page, "<style>\n%s</style>\n</head>\n<body>\n<main>\n", html_style);
 }
 
 void html_page_begin(FILE *page, const char *title)
