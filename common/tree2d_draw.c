@@ -156,16 +156,15 @@ int tree2d_write_svg(FILE *file, const Scene2D *scene, const KdTree2D *tree)
     if (write_circles(file, scene, scale) != 0) {
         return -1;
     }
-    fprintf(file, "</g>\n<g fill=\"none\" stroke=\"#d9e0eb\" stroke-width=\"1\">\n");
+    fprintf(file, "</g>\n<path fill=\"none\" stroke=\"#d9e0eb\" stroke-width=\"1\" d=\"");
     for (u32 id = 0; id < tree->n_nodes; id++) {
         if (is_drawable(tree, id)) {
             const BBox2D box = tree->nodes_BBox[id];
-            fprintf(file, "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"/>\n",
-                    (double)box.minX * scale, (double)box.minY * scale,
-                    ((double)box.maxX - box.minX) * scale, ((double)box.maxY - box.minY) * scale);
+            fprintf(file, "M%g %gH%gV%gH%gz", (double)box.minX * scale, (double)box.minY * scale,
+                    (double)box.maxX * scale, (double)box.maxY * scale, (double)box.minX * scale);
         }
     }
-    fprintf(file, "</g>\n<g fill=\"#ffffff\" font-family=\"sans-serif\" font-size=\"12\">\n");
+    fprintf(file, "\"/>\n<g fill=\"#ffffff\" font-family=\"sans-serif\" font-size=\"12\">\n");
     for (u32 id = 0; id < tree->n_nodes; id++) {
         const BBox2D box = tree->nodes_BBox[id];
         if (is_drawable(tree, id) && (box.maxX - box.minX) * scale >= LABEL_MIN_SIZE &&
