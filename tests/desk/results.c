@@ -30,13 +30,40 @@ int number_of(const json_t *object, const char *field)
     return (int)json_integer_value(json_object_get(object, field));
 }
 
+static int has_text(const json_t *object, const char *field, const char *text)
+{
+    return strcmp(text_of(object, field), text) == 0;
+}
+
+// The first entry of a list of the results whose field has, or has not, this text; or NULL.
+static const json_t *first_of(const json_t *results, const char *list, const char *field, int has,
+                              const char *text)
+{
+    size_t i;
+    json_t *entry;
+    json_array_foreach(json_object_get(results, list), i, entry)
+    {
+        if (has_text(entry, field, text) == has) {
+            return entry;
+        }
+    }
+    return NULL;
+}
+
 const json_t *results_first_fault(const json_t *results)
+{
+    return first_of(results, "checks", "status", 0, "passed");
+}
+
+// The first failed check of a task whose mistake is named, or else that is answered; or NULL.
+static const json_t *failed_check(const json_t *results, const char *task, int is_named)
 {
     size_t i;
     json_t *check;
     json_array_foreach(json_object_get(results, "checks"), i, check)
     {
-        if (strcmp(text_of(check, "status"), "passed") != 0) {
+        if (has_text(check, "task", task) && has_text(check, "status", "failed") &&
+            !(is_named ? has_text(check, "cause", "") : fault_is_unanswered(check))) {
             return check;
         }
     }
@@ -45,81 +72,38 @@ const json_t *results_first_fault(const json_t *results)
 
 const json_t *results_task_fault(const json_t *results, const char *task)
 {
-    size_t i;
-    json_t *check;
-    json_array_foreach(json_object_get(results, "checks"), i, check)
-    {
-        if (strcmp(text_of(check, "task"), task) == 0 && !fault_is_unanswered(check) &&
-            strcmp(text_of(check, "status"), "failed") == 0) {
-            return check;
-        }
-    }
-    return NULL;
+    return failed_check(results, task, 0);
 }
 
 const json_t *results_hinted_fault(const json_t *results)
 {
     const json_t *first = results_first_fault(results);
-    size_t i;
-    json_t *check;
-    json_array_foreach(json_object_get(results, "checks"), i, check)
-    {
-        if (strcmp(text_of(check, "status"), "failed") == 0 && text_of(check, "cause")[0] != '\0' &&
-            strcmp(text_of(check, "task"), text_of(first, "task")) == 0) {
-            return check;
-        }
-    }
-    return first;
+    const json_t *named = failed_check(results, text_of(first, "task"), 1);
+    return named != NULL ? named : first;
 }
 
 int fault_is_unanswered(const json_t *check)
 {
-    return strcmp(text_of(check, "silent"), silence_name(SILENCE_UNANSWERED)) == 0;
-}
-
-// A stage of the grading, or NULL.
-static const json_t *stage_of(const json_t *results, const char *title)
-{
-    size_t i;
-    json_t *stage;
-    json_array_foreach(json_object_get(results, "stages"), i, stage)
-    {
-        if (strcmp(text_of(stage, "title"), title) == 0) {
-            return stage;
-        }
-    }
-    return NULL;
+    return has_text(check, "silent", silence_name(SILENCE_UNANSWERED));
 }
 
 int results_are_of_compiled(const json_t *results)
 {
-    return strcmp(text_of(stage_of(results, "Compiling"), "status"), "passed") == 0;
+    return has_text(first_of(results, "stages", "title", 1, "Compiling"), "status", "passed");
 }
 
 const char *fault_sentence(const json_t *results, const json_t *check)
 {
-    const int has_ended = strcmp(text_of(check, "silent"), silence_name(SILENCE_ENDED)) == 0;
     const char *cause = text_of(check, "cause");
-    const char *end = has_ended ? text_of(stage_of(results, "Running"), "message") : "";
+    const char *end = has_text(check, "silent", silence_name(SILENCE_ENDED))
+                          ? text_of(first_of(results, "stages", "title", 1, "Running"), "message")
+                          : "";
     return cause[0] != '\0' ? cause : end[0] != '\0' ? end : text_of(check, "message");
 }
 
 int fault_is_in_picture(const json_t *check)
 {
     return json_is_true(json_object_get(check, "in_picture"));
-}
-
-static int points_in(const json_t *results, const char *id)
-{
-    size_t i;
-    json_t *check;
-    json_array_foreach(json_object_get(results, "checks"), i, check)
-    {
-        if (strcmp(text_of(check, "id"), id) == 0) {
-            return number_of(check, "points");
-        }
-    }
-    return 0;
 }
 
 int results_compare(const json_t *before, const json_t *now,
@@ -130,7 +114,8 @@ int results_compare(const json_t *before, const json_t *now,
     json_t *check;
     json_array_foreach(json_object_get(now, "checks"), i, check)
     {
-        const int difference = number_of(check, "points") - points_in(before, text_of(check, "id"));
+        const json_t *old = first_of(before, "checks", "id", 1, text_of(check, "id"));
+        const int difference = number_of(check, "points") - number_of(old, "points");
         if (difference != 0) {
             tell(context, check, difference);
             n_different++;

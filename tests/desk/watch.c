@@ -3,7 +3,7 @@
 // One loop looks at the files, at what runs and at the keys. A save starts a round: compile, draw,
 // grade. One command runs at a time; a save in the middle of a round ends it and starts the next.
 // Only one's own code is watched, so drawing runs it as the student does, and grading in the
-// sandbox. Read next: watch_round.h, saved.h, child.h.
+// sandbox. Read next: watch_round.c, saved.h, child.h.
 #include "watch.h"
 
 #include "complain.h"
@@ -11,7 +11,6 @@
 #include "path.h"
 #include "stats.h"
 #include "tell.h"
-#include "watch_tell.h"
 
 #include <errno.h>
 #include <fcntl.h>

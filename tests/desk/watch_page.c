@@ -24,23 +24,19 @@ void news_free(News *news)
 
 static void head_write(FILE *page, const Manifest *lab, const News *news)
 {
-    fputs("<header>\n<div class=\"head\"><div><p class=\"lab\">", page);
-    html_line(page, lab->lab);
-    fputs("</p>\n<h1>", page);
-    html_line(page, lab->title);
-    fputs("</h1></div>\n", page);
+    html_write(page,
+               "<header>\n<div class=\"head\"><div><p class=\"lab\">%s</p>\n<h1>%s</h1></div>\n",
+               lab->lab, lab->title);
     if (news->results != NULL) {
-        fprintf(page, "<p class=\"score number\">%d <small>of %d points</small></p>",
-                number_of(news->results, "score"), number_of(news->results, "max_score"));
+        html_write(page, "<p class=\"score number\">%d <small>of %d points</small></p>",
+                   number_of(news->results, "score"), number_of(news->results, "max_score"));
     }
     fputs("</div>\n", page);
     if (news->results != NULL) {
         html_score_bar(page, number_of(news->results, "score"),
                        number_of(news->results, "max_score"));
     }
-    fputs("<p class=\"soft\">", page);
-    html_line(page, news->state);
-    fputs("</p>\n", page);
+    html_write(page, "<p class=\"soft\">%s</p>\n", news->state);
     html_message(page, news->changes);
     fputs("</header>\n", page);
 }
@@ -69,10 +65,10 @@ static void pictures_write(FILE *page, const News *news)
 {
     const Look *look = news->look;
     const int n_different = look->difference.n_different;
-    fputs("<section class=\"card\"><div class=\"title\"><b>The open scene</b></div>\n"
-          "<p class=\"soft\">drawn with ",
-          page);
-    html_line(page, look_options(look));
+    html_write(page,
+               "<section class=\"card\"><div class=\"title\"><b>The open scene</b></div>\n"
+               "<p class=\"soft\">drawn with %s",
+               look_options(look));
     if (look->is_compared && n_different > 0) {
         fprintf(page, "; %d pixels differ, the first is (%d, %d)", n_different,
                 look->difference.first_x, look->difference.first_y);
@@ -96,9 +92,7 @@ static void pictures_write(FILE *page, const News *news)
     }
     fputs("</div>\n", page);
     if (news->command != NULL) {
-        fputs("<p class=\"hint\"><b>See why</b> <code>", page);
-        html_line(page, news->command);
-        fputs("</code></p>\n", page);
+        html_write(page, "<p class=\"hint\"><b>See why</b> <code>%s</code></p>\n", news->command);
     }
     fputs("</section>\n", page);
 }
@@ -111,11 +105,10 @@ static void stages_write(FILE *page, const json_t *results)
     json_array_foreach(json_object_get(results, "stages"), i, stage)
     {
         if (strcmp(text_of(stage, "status"), "failed") == 0) {
-            fputs("<div class=\"check failed\"><span class=\"mark\">&#10007;</span><div>"
-                  "<span class=\"name\">",
-                  page);
-            html_line(page, text_of(stage, "title"));
-            fputs("</span></div><span></span>\n", page);
+            html_write(page,
+                       "<div class=\"check failed\"><span class=\"mark\">&#10007;</span><div>"
+                       "<span class=\"name\">%s</span></div><span></span>\n",
+                       text_of(stage, "title"));
             html_message(page, text_of(stage, "message"));
             fputs("</div>\n", page);
         }
@@ -137,27 +130,22 @@ static void verdict_write(FILE *page, const News *news, const char *report)
     {
         const int points = number_of(task, "points"), most = number_of(task, "max_points");
         const json_t *fault = results_task_fault(news->results, text_of(task, "id"));
-        fprintf(page,
-                "<div class=\"check %s\"><span class=\"mark\">%s</span><div><span class=\"name\">",
-                points == most  ? "passed"
-                : fault != NULL ? "failed"
-                                : "not-run",
-                points == most  ? "&#10003;"
-                : fault != NULL ? "&#10007;"
-                                : "&ndash;");
-        html_line(page, text_of(task, "title"));
-        fputs("</span> <code class=\"id\">", page);
-        html_line(page, text_of(task, "id"));
-        fprintf(page, "</code></div><span class=\"number\">%d / %d</span>\n", points, most);
+        fputs(points == most  ? "<div class=\"check passed\"><span class=\"mark\">&#10003;</span>"
+              : fault != NULL ? "<div class=\"check failed\"><span class=\"mark\">&#10007;</span>"
+                              : "<div class=\"check not-run\"><span class=\"mark\">&ndash;</span>",
+              page);
+        html_write(page,
+                   "<div><span class=\"name\">%s</span> <code class=\"id\">%s</code></div>"
+                   "<span class=\"number\">%d / %d</span>\n",
+                   text_of(task, "title"), text_of(task, "id"), points, most);
         if (first == NULL && fault != NULL) {
             html_message(page, text_of(fault, "message"));
             first = fault;
         }
         fputs("</div>\n", page);
     }
-    fputs("<p class=\"hint\"><a href=\"", page);
-    html_line(page, report);
-    fputs("\">The whole report</a></p></section>\n", page);
+    html_write(page, "<p class=\"hint\"><a href=\"%s\">The whole report</a></p></section>\n",
+               report);
 }
 
 // Points over time, as steps from the left edge to the right.

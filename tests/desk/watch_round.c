@@ -1,12 +1,11 @@
-// What happens in a round (see watch_round.h). Used by watch.c. Read next: watch_tell.h.
-#include "watch_round.h"
+// What happens in a round (see watch.h). Used by watch.c. Read next: watch_tell.c.
+#include "watch.h"
 
 #include "message.h"
 #include "path.h"
 #include "record.h"
 #include "results.h"
 #include "stats.h"
-#include "watch_tell.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-// What the watch tells of a round (see watch_tell.h). Used by watch_round.c.
-#include "watch_tell.h"
+// What the watch tells of a round (see watch.h). Used by watch_round.c.
+#include "watch.h"
 
 #include "path.h"
 #include "results.h"
