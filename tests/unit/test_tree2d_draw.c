@@ -57,8 +57,7 @@ Test(tree2d_draw, cells_are_drawn_where_they_are)
     FILE *file = open_memstream(&svg, &n_bytes);
     cr_assert_eq(tree2d_write_svg(file, &scene.scene, &scene.tree), 0);
     fclose(file);
-    cr_expect_not_null(strstr(svg, "M320 320H480V640H320z"),
-                       "node 13's cell");
+    cr_expect_not_null(strstr(svg, "M320 320H480V640H320z"), "node 13's cell");
     cr_expect_not_null(strstr(svg, ">13</text>"));
     cr_expect_null(strstr(svg, ">6</text>"), "an inner node has no cell of its own");
     free(svg);
