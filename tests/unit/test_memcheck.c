@@ -140,7 +140,7 @@ static const char *advice_on_two(const char *file, const char *answer, Seen seen
 {
     static char said[512];
     Manifest manifest = {.lab = "03-kdtree-2d-render",
-                         .files = {(char *)file},
+                         .files = {file},
                          .n_files = 1,
                          .tasks = {{.id = "descent"}},
                          .n_tasks = 1};
@@ -215,7 +215,7 @@ Test(advice, memcheck_is_offered_where_only_another_task_is_named)
     Seen blamed = strange;
     blamed.cause.says = "alone it passes: search_leaf is wrong, and has a part in this";
     Manifest manifest = {.lab = "03-kdtree-2d-render",
-                         .files = {(char *)"a.cl"},
+                         .files = {"a.cl"},
                          .n_files = 1,
                          .tasks = {{.id = "descent"}, {.id = "leaf_loop"}},
                          .n_tasks = 2};

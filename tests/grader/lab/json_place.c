@@ -69,7 +69,7 @@ int place_fields_check(const Place *object, const char *const *known)
     return 0;
 }
 
-int place_text(const Place *place, char **text)
+int place_text(const Place *place, const char **text)
 {
     if (!json_is_string(place->json)) {
         return place_fault_kind(place, "a string");
@@ -77,11 +77,11 @@ int place_text(const Place *place, char **text)
     if (json_string_length(place->json) == 0) {
         return place_fault(place, "found an empty string, expected some text");
     }
-    *text = strdup(json_string_value(place->json));
-    return *text != NULL ? 0 : place_fault(place, "out of memory");
+    *text = json_string_value(place->json);
+    return 0;
 }
 
-int place_text_field(const Place *object, const char *field, char **text)
+int place_text_field(const Place *object, const char *field, const char **text)
 {
     Place place = place_field(object, field);
     return place_text(&place, text);

@@ -26,9 +26,9 @@ int place_fault_kind(const Place *place, const char *expected);
 //   known   NULL-terminated
 int place_fields_check(const Place *object, const char *const *known);
 
-// A text that is not empty. Owned by the caller.
-int place_text(const Place *place, char **text);
-int place_text_field(const Place *object, const char *field, char **text);
+// A text that is not empty. It lives as long as the file's object.
+int place_text(const Place *place, const char **text);
+int place_text_field(const Place *object, const char *field, const char **text);
 
 // A list of 1 to `most` items.
 int place_list_length(const Place *list, int most, int *length);

@@ -14,11 +14,10 @@
 #include <errno.h>
 #include <jansson.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { POINTS_OF_A_LAB = 100, MOST_POINTS = 1000, MOST_SECONDS = 3600 };
+enum { POINTS_OF_A_LAB = 100, MOST_POINTS = 1000, MOST_SECONDS = 3600, MOST_HOURS = 40 };
 
 static int file_is_listed(const Manifest *manifest, const char *file)
 {
@@ -32,26 +31,25 @@ static int file_is_listed(const Manifest *manifest, const char *file)
 
 static int files_read(const Place *object, Manifest *manifest)
 {
-    Place list = place_field(object, "files");
+    const Place list = place_field(object, "files");
     int n_files;
     if (place_list_length(&list, MANIFEST_MAX_FILES, &n_files) != 0) {
         return -1;
     }
     for (int i = 0; i < n_files; i++) {
-        Place place = place_item(&list, i);
-        char *file = NULL;
+        const Place place = place_item(&list, i);
+        const char *file;
         if (place_text(&place, &file) != 0) {
             return -1;
         }
-        int listed = file_is_listed(manifest, file);
-        manifest->files[manifest->n_files++] = file;
         // Staging copies by these names: none may lead out of the submission's folder.
         if (strchr(file, '/') != NULL || file[0] == '.') {
             return place_fault(&place, "found \"%s\", expected a plain file name", file);
         }
-        if (listed) {
+        if (file_is_listed(manifest, file)) {
             return place_fault(&place, "found \"%s\" a second time", file);
         }
+        manifest->files[manifest->n_files++] = file;
     }
     return 0;
 }
@@ -64,17 +62,16 @@ static int id_is_plain(const char *id)
     return id[strspn(id, allowed)] == '\0';
 }
 
-// Read the task's checks and their points. Each is counted in `task` from the start, so that
-// manifest_free() sees it.
+// Read the task's checks and their points.
 //   is_changed   by an instructor, who may have turned checks off
 static int points_read(const Place *object, int is_changed, Task *task)
 {
     const int lowest = is_changed ? 0 : 1, highest = is_changed ? MOST_POINTS : POINTS_OF_A_LAB;
-    Place points = place_field(object, "points");
+    const Place points = place_field(object, "points");
     if (!json_is_object(points.json)) {
         return place_fault_kind(&points, "an object: the points of each check");
     }
-    size_t found = json_object_size(points.json);
+    const size_t found = json_object_size(points.json);
     if (found < 1 || found > MANIFEST_MAX_CHECKS) {
         return place_fault(&points, "found %zu entries, expected 1 to %d", found,
                            MANIFEST_MAX_CHECKS);
@@ -84,10 +81,7 @@ static int points_read(const Place *object, int is_changed, Task *task)
     json_object_foreach((json_t *)points.json, id, value)
     {
         TaskCheck *check = &task->checks[task->n_checks++];
-        *check = (TaskCheck){.id = strdup(id)};
-        if (check->id == NULL) {
-            return place_fault(&points, "out of memory");
-        }
+        check->id = id;
         if (place_number_field(&points, id, lowest, highest, &check->points) != 0) {
             return -1;
         }
@@ -108,11 +102,8 @@ static int check_find(const Task *task, const char *id)
 // Read the optional hints for single checks.
 static int hints_read(const Place *object, Task *task)
 {
-    Place hints = place_field(object, "hints");
-    if (hints.json == NULL) {
-        return 0;
-    }
-    if (!json_is_object(hints.json)) {
+    const Place hints = place_field(object, "hints");
+    if (hints.json != NULL && !json_is_object(hints.json)) {
         return place_fault_kind(&hints, "an object");
     }
     const char *id;
@@ -133,7 +124,7 @@ static int hints_read(const Place *object, Task *task)
 // Read the optional hints for who asks for more.
 static int more_hints_read(const Place *object, Task *task)
 {
-    Place list = place_field(object, "more_hints");
+    const Place list = place_field(object, "more_hints");
     int n_hints;
     if (list.json == NULL) {
         return 0;
@@ -145,7 +136,7 @@ static int more_hints_read(const Place *object, Task *task)
         return place_fault(&list, "found %d entries, expected %d", n_hints, MANIFEST_MORE_HINTS);
     }
     for (int i = 0; i < n_hints; i++) {
-        Place place = place_item(&list, i);
+        const Place place = place_item(&list, i);
         if (place_text(&place, &task->more_hints[i]) != 0) {
             return -1;
         }
@@ -153,25 +144,20 @@ static int more_hints_read(const Place *object, Task *task)
     return 0;
 }
 
-// Read the next task. It is counted in `manifest` from the start, so that manifest_free() sees it.
+// Read the next task.
 static int task_read(const Place *place, Manifest *manifest)
 {
     static const char *const known[] = {"id",   "file",  "title",      "points",
                                         "hint", "hints", "more_hints", NULL};
-    Task read = {0};
     Task *task = &manifest->tasks[manifest->n_tasks];
-    *task = read;
-    if (place_fields_check(place, known) != 0 || place_text_field(place, "id", &read.id) != 0) {
+    if (place_fields_check(place, known) != 0 || place_text_field(place, "id", &task->id) != 0) {
         return -1;
     }
-    int given = manifest_task(manifest, read.id) != NULL;
-    *task = read;
-    manifest->n_tasks++;
     if (!id_is_plain(task->id)) {
         return place_fault(place, "found the id \"%s\", expected letters, digits, _ and -",
                            task->id);
     }
-    if (given) {
+    if (manifest_task(manifest, task->id) != NULL) {
         return place_fault(place, "found the id \"%s\" a second time", task->id);
     }
     if (place_text_field(place, "file", &task->file) != 0 ||
@@ -184,20 +170,21 @@ static int task_read(const Place *place, Manifest *manifest)
     if (!file_is_listed(manifest, task->file)) {
         return place_fault(place, "found the file \"%s\", expected one of \"files\"", task->file);
     }
+    manifest->n_tasks++;
     return 0;
 }
 
 //   total   of all points
 static int tasks_read(const Place *object, int total, Manifest *manifest)
 {
-    Place list = place_field(object, "tasks");
+    const Place list = place_field(object, "tasks");
     int n_tasks;
     if (place_list_length(&list, MANIFEST_MAX_TASKS, &n_tasks) != 0) {
         return -1;
     }
     int points = 0;
     for (int i = 0; i < n_tasks; i++) {
-        Place place = place_item(&list, i);
+        const Place place = place_item(&list, i);
         if (task_read(&place, manifest) != 0) {
             return -1;
         }
@@ -211,41 +198,39 @@ static int tasks_read(const Place *object, int total, Manifest *manifest)
     return 0;
 }
 
-// Read what an optional figure counts. Its race is a program that is there before anything is
-// handed in, and can hold no host files of a student's.
-static int leaderboard_read(const Place *object, Manifest *manifest)
+// Read optional fields: what is not there stays as it is.
+static int optional_text(const Place *object, const char *field, const char **text)
 {
-    const Place place = place_field(object, "leaderboard");
-    if (place.json == NULL) {
-        return 0;
-    }
-    if (manifest_has_host_files(manifest)) {
-        return place_fault(&place, "found one in a lab with host files, expected kernels only");
-    }
-    return place_text(&place, &manifest->leaderboard);
+    return json_object_get(object->json, field) == NULL ? 0 : place_text_field(object, field, text);
 }
 
-// Read what the learner's desk wants to know; each field may be missing.
-static int desk_fields_read(const Place *object, Manifest *manifest)
+static int optional_number(const Place *object, const char *field, int highest, int *number)
 {
-    enum { MOST_HOURS = 40 };
+    return json_object_get(object->json, field) == NULL
+               ? 0
+               : place_number_field(object, field, 1, highest, number);
+}
+
+// Read what the learner's desk wants to know, and what an optional figure counts. Its race is a
+// program that is there before anything is handed in, and can hold no host files of a student's.
+static int options_read(const Place *object, Manifest *manifest)
+{
+    const Place leaderboard = place_field(object, "leaderboard");
     const Place figure = place_field(object, "figure");
-    if (json_object_get(object->json, "hours") != NULL &&
-        place_number_field(object, "hours", 1, MOST_HOURS, &manifest->hours) != 0) {
+    if (leaderboard.json != NULL && manifest_has_host_files(manifest)) {
+        return place_fault(&leaderboard,
+                           "found one in a lab with host files, expected kernels only");
+    }
+    if (optional_text(object, "leaderboard", &manifest->leaderboard) != 0 ||
+        optional_number(object, "hours", MOST_HOURS, &manifest->hours) != 0 ||
+        optional_text(object, "look", &manifest->look) != 0 ||
+        optional_text(object, "figure", &manifest->figure) != 0) {
         return -1;
     }
-    if (json_object_get(object->json, "look") != NULL &&
-        place_text_field(object, "look", &manifest->look) != 0) {
-        return -1;
-    }
-    if (figure.json == NULL) {
-        return 0;
-    }
-    if (manifest->look == NULL) {
-        return place_fault(&figure,
-                           "found one without \"look\", expected the options that draw it");
-    }
-    return place_text(&figure, &manifest->figure);
+    return manifest->figure != NULL && manifest->look == NULL
+               ? place_fault(&figure,
+                             "found one without \"look\", expected the options that draw it")
+               : 0;
 }
 
 // Read which checks find what is not for students.
@@ -284,9 +269,7 @@ static int changed_read(const Place *changed, int *total, Manifest *manifest)
          number_read_unsigned(json_string_value(seed.json), 0, UINT64_MAX, &manifest->seed) != 0)) {
         return place_fault(&seed, "found no whole number in a string");
     }
-    return json_object_get(changed->json, "time_limit") == NULL
-               ? 0
-               : place_number_field(changed, "time_limit", 1, MOST_SECONDS, &manifest->time_limit);
+    return optional_number(changed, "time_limit", MOST_SECONDS, &manifest->time_limit);
 }
 
 static int fields_read(const Place *object, Manifest *manifest)
@@ -295,13 +278,13 @@ static int fields_read(const Place *object, Manifest *manifest)
                                         "look",  "figure", "changed", NULL};
     const Place changed = place_field(object, "changed");
     int total;
-    if (changed_read(&changed, &total, manifest) != 0 || place_fields_check(object, known) != 0 ||
-        place_text_field(object, "title", &manifest->title) != 0 ||
-        files_read(object, manifest) != 0 || tasks_read(object, total, manifest) != 0 ||
-        hidden_read(&changed, manifest) != 0) {
-        return -1;
-    }
-    return leaderboard_read(object, manifest) != 0 ? -1 : desk_fields_read(object, manifest);
+    return changed_read(&changed, &total, manifest) != 0 ||
+                   place_fields_check(object, known) != 0 ||
+                   place_text_field(object, "title", &manifest->title) != 0 ||
+                   files_read(object, manifest) != 0 || tasks_read(object, total, manifest) != 0 ||
+                   hidden_read(&changed, manifest) != 0 || options_read(object, manifest) != 0
+               ? -1
+               : 0;
 }
 
 static int file_read(const char *path, Manifest *manifest)
@@ -312,17 +295,14 @@ static int file_read(const char *path, Manifest *manifest)
         return place_fault(&place, "cannot read: %s", strerror(errno));
     }
     json_error_t error;
-    json_t *json = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
+    place.json = manifest->json = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
     fclose(file);
-    if (json == NULL) {
+    if (place.json == NULL) {
         char shown[400];
         complain("%s:%d: %s", path, error.line, message_show(error.text, shown, sizeof shown));
         return -1;
     }
-    place.json = json;
-    int result = fields_read(&place, manifest);
-    json_decref(json);
-    return result;
+    return fields_read(&place, manifest);
 }
 
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest)
@@ -354,28 +334,7 @@ int manifest_load_file(const char *path, const char *lab, Manifest *manifest)
 
 void manifest_free(Manifest *manifest)
 {
-    free(manifest->title);
-    free(manifest->leaderboard);
-    free(manifest->changed);
-    free(manifest->look);
-    free(manifest->figure);
-    for (int i = 0; i < manifest->n_files; i++) {
-        free(manifest->files[i]);
-    }
-    for (int i = 0; i < manifest->n_tasks; i++) {
-        Task *task = &manifest->tasks[i];
-        free(task->id);
-        free(task->file);
-        free(task->title);
-        free(task->hint);
-        for (int j = 0; j < MANIFEST_MORE_HINTS; j++) {
-            free(task->more_hints[j]);
-        }
-        for (int j = 0; j < task->n_checks; j++) {
-            free(task->checks[j].id);
-            free(task->checks[j].hint);
-        }
-    }
+    json_decref(manifest->json);
     *manifest = (Manifest){0};
 }
 

@@ -30,38 +30,40 @@ enum {
 };
 
 typedef struct TaskCheck {
-    char *id;       // as the judge has it
-    int points;     // 0: turned off
-    int is_hidden;  // what it finds is not for students
-    char *hint;     // in place of the task's, or NULL
+    const char *id;    // as the judge has it
+    int points;        // 0: turned off
+    int is_hidden;     // what it finds is not for students
+    const char *hint;  // in place of the task's, or NULL
 } TaskCheck;
 
 typedef struct Task {
-    char *id;     // as in the markers "// TASK id: ..." and "// END id"
-    char *file;   // one of the manifest's files
-    char *title;  // one line for people
-    char *hint;   // shown when one of its checks fails and no message has said why
-    char *more_hints[MANIFEST_MORE_HINTS];  // after the first one, for who asks; or all NULL
+    const char *id;     // as in the markers "// TASK id: ..." and "// END id"
+    const char *file;   // one of the manifest's files
+    const char *title;  // one line for people
+    const char *hint;   // shown when one of its checks fails and no message has said why
+    const char *more_hints[MANIFEST_MORE_HINTS];  // after the first one, for who asks; or all NULL
     TaskCheck checks[MANIFEST_MAX_CHECKS];
     int n_checks;
 } Task;
 
 typedef struct Manifest {
-    char lab[64];  // "01-naive-2d"
-    char *title;
-    char *files[MANIFEST_MAX_FILES];  // plain names without a folder
+    struct json_t *json;  // the file as it was read, which holds all texts below; owned
+    char lab[64];         // "01-naive-2d"
+    const char *title;
+    const char *files[MANIFEST_MAX_FILES];  // plain names without a folder
     int n_files;
     Task tasks[MANIFEST_MAX_TASKS];
     int n_tasks;
-    char *leaderboard;  // what a figure counts that no points depend on: "times as fast as ...";
-                        // NULL in a lab without a race (run/race.h)
-    int hours;          // planned for it; 0 where nothing is said
-    char *look;         // options with which its program draws in a moment; NULL: none
-    char *changed;      // how an instructor has changed points and hints, or NULL
-    int time_limit;     // the instructor's: seconds as for grade --time-limit; 0: none
-    int has_seed;       // the instructor's, for the hidden scenes
+    const char
+        *leaderboard;     // what a figure counts that no points depend on: "times as fast as ...";
+                          // NULL in a lab without a race (run/race.h)
+    int hours;            // planned for it; 0 where nothing is said
+    const char *look;     // options with which its program draws in a moment; NULL: none
+    const char *changed;  // how an instructor has changed points and hints, or NULL
+    int time_limit;       // the instructor's: seconds as for grade --time-limit; 0: none
+    int has_seed;         // the instructor's, for the hidden scenes
     uint64_t seed;
-    char *figure;  // in slides-notes/figures: what a right answer draws with them; NULL: none
+    const char *figure;  // in slides-notes/figures: what a right answer draws with them; NULL: none
 } Manifest;
 
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a

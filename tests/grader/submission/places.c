@@ -24,7 +24,7 @@ typedef struct Folder {
 typedef struct Search {
     int top;
     const char *lab;
-    char *const *files;
+    const char *const *files;
     int n_files;
     Places *places;
     // All folders found, which is also the queue of those to look into: level by level, and in a
@@ -82,7 +82,7 @@ static int folder_rank(const char *lab, const char *folder)
     return passed_over + (is_labs_folder(folder, lab) ? 2 * (depth - 2) + 1 : 2 * depth);
 }
 
-int place_of(const char *lab, char *const *files, int n_files, const Place *place, int *rank)
+int place_of(const char *lab, const char *const *files, int n_files, const Place *place, int *rank)
 {
     static const int name_ranks[] = {
         [NAME_EXACT] = 0, [NAME_CHANGED] = RANK_CHANGED, [NAME_NEAR] = RANK_NEAR};
@@ -284,7 +284,7 @@ static int is_one_missing(const Search *search)
     return 0;
 }
 
-int places_find(int top, const char *lab, char *const *files, int n_files, Places *places)
+int places_find(int top, const char *lab, const char *const *files, int n_files, Places *places)
 {
     memset(places, 0, (size_t)n_files * sizeof *places);
     Search *search = calloc(1, sizeof *search);

@@ -42,7 +42,7 @@ typedef struct Places {
 
 // Which of a lab's files may a file of this name in this folder be, and how good is the place?
 // Returns its number with *rank; or -1.
-int place_of(const char *lab, char *const *files, int n_files, const Place *place, int *rank);
+int place_of(const char *lab, const char *const *files, int n_files, const Place *place, int *rank);
 
 // A copy, to be released with place_free(). Its name is NULL when memory runs out.
 Place place_copy(const Place *place);
@@ -63,7 +63,7 @@ int place_compare(const Place *a, const Place *b);
 // Returns 0, or -1 with errno set when the top could not be read, or the machine failed. What else
 // keeps a folder below it from being read (its rights, that it is gone) is its owner's doing, and
 // it is passed over.
-int places_find(int top, const char *lab, char *const *files, int n_files, Places *places);
+int places_find(int top, const char *lab, const char *const *files, int n_files, Places *places);
 void places_free(Places *places, int n_files);
 
 // Did an operation fail by the machine's doing, and by none of whoever filled the folder?
