@@ -54,9 +54,9 @@ typedef struct Manifest {
     int n_files;
     Task tasks[MANIFEST_MAX_TASKS];
     int n_tasks;
-    const char
-        *leaderboard;     // what a figure counts that no points depend on: "times as fast as ...";
-                          // NULL in a lab without a race (run/race.h)
+    // What a figure counts that no points depend on: "times as fast as ..."; NULL in a lab without
+    // a race (run/race.h).
+    const char *leaderboard;
     int hours;            // planned for it; 0 where nothing is said
     const char *look;     // options with which its program draws in a moment; NULL: none
     const char *changed;  // how an instructor has changed points and hints, or NULL
@@ -69,9 +69,8 @@ typedef struct Manifest {
 // Read labs_folder/lab/lab.json. Returns 0, or -1 after one message on stderr (missing, no JSON, a
 // field missing or of the wrong type, unknown fields, a file name with a slash or a leading dot, a
 // task whose file is not listed, an id given twice, points that do not add up to 100 or to what an
-// instructor's own file says, a hint for a
-// check without points, a leaderboard where host files are handed in, which a race could not be
-// built with ahead). Whether the judge has the same checks: judge_start().
+// instructor's own file says, a hint for a check without points, a leaderboard where host files are
+// handed in, which a race could not be built with ahead). Whether the judge has the same checks: judge_start().
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
 // Likewise from any file; NULL: the lab's own.
 int manifest_load_file(const char *path, const char *lab, Manifest *manifest);

@@ -13,7 +13,8 @@ int report_pictures_write(FILE *page, const PictureResult *picture);
 // Is the student's picture the reference? Drawings are not compared: they are never right.
 int scene_is_right(const PictureResult *picture);
 
-// Write a picture as PNG in a data: URI. Returns 0, or -1 after one message on stderr.
-int picture_uri_write(FILE *page, const Image *image);
+// Write a picture as PNG, or in its place a drawing, as a data: URI. Returns 0, or -1 after one
+// message on stderr.
+int picture_uri_write(FILE *page, const Image *image, const char *svg);
 
 #endif

@@ -2,7 +2,6 @@
 //
 // Read next: report_pictures.c.
 #include "complain.h"
-#include "html.h"
 #include "json_text.h"
 #include "message.h"
 #include "report.h"
@@ -19,13 +18,7 @@ static char *uri_create(const Image *image, const char *svg)
     char *uri = NULL;
     size_t n_bytes = 0;
     FILE *stream = open_memstream(&uri, &n_bytes);
-    int written = -1;
-    if (stream != NULL && svg != NULL) {
-        html_file_uri(stream, "image/svg+xml", svg, strlen(svg));
-        written = 0;
-    } else if (stream != NULL) {
-        written = picture_uri_write(stream, image);
-    }
+    int written = stream != NULL ? picture_uri_write(stream, image, svg) : -1;
     if (stream == NULL || fclose(stream) != 0) {
         complain("report: no memory for a picture");
         written = -1;
