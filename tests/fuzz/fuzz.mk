@@ -4,15 +4,15 @@ CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell comman
 FUZZED_forms = $(addprefix tests/copies/,forms.c forms_add.c expression.c form_list.c live_text.c macros.c name_set.c remarks.c) tests/grader/submission/source_words.c \
     common/message.c $(MESSAGES)
 FUZZED_graded = tests/class/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
-FUZZED_manifest = tests/grader/lab/manifest.c common/message.c $(MESSAGES)
+FUZZED_manifest = $(addprefix tests/grader/lab/,manifest.c json_place.c) $(addprefix common/,message.c number.c path.c) $(MESSAGES)
 FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)
 FUZZED_sections = tests/probes/sections.c
-FUZZED_source = $(addprefix tests/grader/,lab/holes.c submission/source_words.c submission/stands_out.c \
-    submission/extra_files.c submission/contents.c submission/file_names.c) $(addprefix common/,message.c path.c text_file.c) $(MESSAGES)
-FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_write.c contents.c copies.c file_kind.c file_names.c \
-    bytes_write.c odd_signs.c places.c place_read.c source_words.c stage.c stage_file.c) \
-    $(addprefix common/,message.c path.c utf8.c) $(MESSAGES)
+FUZZED_source = $(addprefix tests/grader/,lab/holes.c lab/skeleton.c submission/source_words.c submission/stands_out.c \
+    submission/stands_out_files.c submission/contents.c submission/file_names.c) $(addprefix common/,message.c path.c text_file.c) $(MESSAGES)
+FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_read.c contents.c copies.c file_kind.c file_names.c \
+    bytes_write.c stands_out_unseen.c places.c place_read.c source_words.c stage.c stage_file.c) \
+    $(addprefix common/,message.c path.c) $(MESSAGES)
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 
 .PHONY: fuzz $(FUZZ_TARGETS)

@@ -1,5 +1,5 @@
-// grader/odd_signs: characters that nobody sees are named with line and code point.
-#include "odd_signs.h"
+// grader/stands_out_unseen: characters that nobody sees are named with line and code point.
+#include "stands_out.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@ static void expect_notes(const char *text, int n_expected, const char *expected)
     char *said = NULL;
     size_t n_bytes;
     FILE *notes = open_memstream(&said, &n_bytes);
-    cr_expect_eq(odd_signs_note("a.cl", text, notes), n_expected, "%s", text);
+    cr_expect_eq(stands_out_unseen("a.cl", text, notes), n_expected, "%s", text);
     fclose(notes);
     cr_expect_str_eq(said, expected);
     free(said);
@@ -51,7 +51,7 @@ Test(odd_signs, shows_a_few)
     char *said = NULL;
     size_t n_bytes;
     FILE *notes = open_memstream(&said, &n_bytes);
-    cr_expect_eq(odd_signs_note("a.cl", text, notes), 9);
+    cr_expect_eq(stands_out_unseen("a.cl", text, notes), 9);
     fclose(notes);
     cr_expect_not_null(strstr(said, "\na.cl: and 5 more such characters\n"), "%s", said);
     free(said);

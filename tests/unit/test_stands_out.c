@@ -1,5 +1,4 @@
 // grader/stands_out: what an attack tries is named, and no honest text is.
-#include "extra_files.h"
 #include "known_answer.h"
 #include "stands_out.h"
 #include "surroundings.h"
@@ -201,7 +200,7 @@ static char *extra_notes(void)
     char *notes = NULL;
     size_t n_bytes;
     FILE *file = open_memstream(&notes, &n_bytes);
-    extra_files_note(&manifest, "own", file);
+    stands_out_in_folder(&manifest, "own", file);
     fclose(file);
     return notes;
 }
@@ -257,6 +256,6 @@ Test(extra_files, few_of_many_are_named)
 Test(extra_files, no_folder_no_note)
 {
     const Manifest manifest = manifest_02();
-    cr_expect_eq(extra_files_note(&manifest, "nowhere", stdout), 0);
-    cr_expect_eq(extra_files_note(&manifest, "own/kdtree2d_build.c", stdout), 0);
+    cr_expect_eq(stands_out_in_folder(&manifest, "nowhere", stdout), 0);
+    cr_expect_eq(stands_out_in_folder(&manifest, "own/kdtree2d_build.c", stdout), 0);
 }

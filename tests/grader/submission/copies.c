@@ -1,8 +1,14 @@
-// Which copies of a wanted file are kept (see copies.h).
+// Which copies of a wanted file are kept, and how one becomes a file (see copies.h).
 #include "copies.h"
 
+#include "bytes_write.h"
+
+#include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 // Negative where the first is the better one, or equally good and comes first.
 static int copy_compare(const Copy *copy, const Place *place, int rank)
@@ -91,4 +97,48 @@ void copies_free(Copies *copies)
     while (copies->n_kept > 0) {
         copy_remove(copies, copies->n_kept - 1);
     }
+}
+
+// ---- Writing ------------------------------------------------------------------------------------
+
+// Is it a fault of the disk? Else the copy itself cannot be written, and is passed over.
+static int outcome_of(int fault)
+{
+    return fault == ENOSPC || fault == EDQUOT || fault == EIO || fault == EROFS ? -1 : 0;
+}
+
+// Returns as copy_write() does.
+static int file_write(const Copy *copy, int parent)
+{
+    const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    const int descriptor = openat(parent, copy->place.name, flags, 0644);
+    if (descriptor < 0) {
+        return outcome_of(errno);
+    }
+    const int outcome = bytes_write(descriptor, copy->bytes, copy->n_bytes);
+    if (outcome == 0) {
+        time_set(descriptor, copy->changed);  // of several archives the newest file counts
+    }
+    return close_after(descriptor, outcome);
+}
+
+int copy_write(const Copy *copy, int folder)
+{
+    const int parent = place_make(folder, copy->place.folder);
+    if (parent < 0) {
+        return outcome_of(errno);
+    }
+    int outcome = 0;
+    switch (copy->kind) {
+    case COPY_OF_FILE:
+        outcome = file_write(copy, parent);
+        break;
+    case COPY_OF_LINK:
+        outcome = symlinkat("nowhere", parent, copy->place.name) == 0 ? 0 : outcome_of(errno);
+        break;
+    case COPY_OF_OTHER:
+        outcome = mkdirat(parent, copy->place.name, 0755) == 0 ? 0 : outcome_of(errno);
+        break;
+    }
+    return close_after(parent, outcome);
 }

@@ -1,6 +1,7 @@
 // Reading a file that a student handed in (see place_read.h).
 #include "place_read.h"
 
+#include "bytes_write.h"
 #include "stage.h"
 
 #include <errno.h>
@@ -32,11 +33,7 @@ int place_file_open(int top, const Place *place)
     if (parent < 0) {
         return -1;
     }
-    const int descriptor = regular_open(parent, place->name);
-    const int fault = errno;
-    close(parent);
-    errno = fault;
-    return descriptor;
+    return close_after(parent, regular_open(parent, place->name));
 }
 
 ssize_t place_bytes_read(int descriptor, unsigned char *bytes)

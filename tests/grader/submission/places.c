@@ -4,6 +4,7 @@
 // depth, folders, entries, and what is kept of them.
 #include "places.h"
 
+#include "bytes_write.h"
 #include "file_names.h"
 
 #include <dirent.h>
@@ -331,26 +332,33 @@ int place_fault_is_ours(int fault)
     return fault == EMFILE || fault == ENFILE || fault == ENOMEM || fault == EIO || fault == ESTALE;
 }
 
-int place_open(int top, const char *folder)
+// Open a folder step by step; where they are not there, also make them.
+static int steps_open(int top, const char *folder, int makes)
 {
     const int flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
     int descriptor = openat(top, ".", flags);
-    char name[NAME_MAX + 1];
     while (descriptor >= 0 && *folder != '\0') {
+        char name[NAME_MAX + 1];
         const size_t length = strcspn(folder, "/");
         if (length >= sizeof name) {
-            close(descriptor);
             errno = ENAMETOOLONG;
-            return -1;
+            return close_after(descriptor, -1);
         }
         memcpy(name, folder, length);
         name[length] = '\0';
         folder += length + (folder[length] == '/');
-        const int inner = openat(descriptor, name, flags);
-        const int fault = errno;
-        close(descriptor);
-        errno = fault;
-        descriptor = inner;
+        const int is_there = !makes || mkdirat(descriptor, name, 0755) == 0 || errno == EEXIST;
+        descriptor = close_after(descriptor, is_there ? openat(descriptor, name, flags) : -1);
     }
     return descriptor;
+}
+
+int place_open(int top, const char *folder)
+{
+    return steps_open(top, folder, 0);
+}
+
+int place_make(int top, const char *folder)
+{
+    return steps_open(top, folder, 1);
 }

@@ -73,4 +73,7 @@ int place_fault_is_ours(int fault);
 // set.
 int place_open(int top, const char *folder);
 
+// The same, and make the folders that are not there.
+int place_make(int top, const char *folder);
+
 #endif

@@ -9,9 +9,9 @@
 #include "file_kind.h"
 #include "file_names.h"
 #include "message.h"
-#include "odd_signs.h"
 #include "path.h"
 #include "place_read.h"
+#include "stands_out.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -108,11 +108,9 @@ static int file_write(const Staging *staging, const char *file, size_t n_bytes)
 
     const int failed = fchmod(descriptor, 0644) != 0 ||  // whatever the umask
                        bytes_write(descriptor, staging->bytes, n_bytes) != 0;
-    int fault = failed ? errno : 0;
-    if (close(descriptor) != 0 && fault == 0) {
-        fault = errno;
-    }
-    return fault == 0 ? 0 : machinery_fault(staging->destination, file, fault);
+    return close_after(descriptor, failed ? -1 : 0) == 0
+               ? 0
+               : machinery_fault(staging->destination, file, errno);
 }
 
 // ---- Which of several -----------------------------------------------------------------------
@@ -258,7 +256,7 @@ int file_stage(const Staging *staging, const char *file, const Places *places)
     if (outcome == 0) {
         choice_say(staging, file, n_bytes, places);
         staging->bytes[n_bytes] = '\0';  // there is room for one more
-        odd_signs_note(file, (const char *)staging->bytes, staging->said);
+        stands_out_unseen(file, (const char *)staging->bytes, staging->said);
         outcome = file_write(staging, file, n_bytes);
     } else if (outcome > 0 && has_other(places)) {
         fprintf(staging->said, "%s: another one, which does not count, is in ", file);

@@ -1,10 +1,9 @@
 // What no answer needs, found among a source's words (see stands_out.h).
 //
-// Called by grade.c once a submission is staged. Read next: source_words.h, and extra_files.c for
-// what lies beside the answers.
+// Called by grade.c once a submission is staged. Read next: source_words.h, and
+// stands_out_files.c for what lies beside the answers.
 #include "stands_out.h"
 
-#include "extra_files.h"
 #include "path.h"
 #include "skeleton.h"
 #include "source_words.h"
@@ -20,33 +19,31 @@ enum { MAX_NOTES = 8 };
 
 // Functions that reach beyond the program's own arrays. What a student might call while looking for
 // a mistake (printf, assert, getenv) or as an own function's name (read, link) is not among them.
-static const char *const calls[] = {
+static const char calls[] =
     // processes
-    "fork", "vfork", "clone", "execl", "execle", "execlp", "execv", "execve", "execvp", "execvpe",
-    "fexecve", "posix_spawn", "posix_spawnp", "system", "popen", "daemon", "setsid", "setpgid",
-    "ptrace", "process_vm_readv", "process_vm_writev", "prctl", "setrlimit", "syscall", "unshare",
-    "kill", "killpg", "tgkill", "raise", "sigqueue", "signal", "sigaction", "pthread_create",
+    "fork vfork clone execl execle execlp execv execve execvp execvpe fexecve posix_spawn "
+    "posix_spawnp system popen daemon setsid setpgid ptrace process_vm_readv process_vm_writev "
+    "prctl setrlimit syscall unshare kill killpg tgkill raise sigqueue signal sigaction "
+    "pthread_create "
     // the end of the program
-    "_exit", "_Exit", "quick_exit", "atexit", "on_exit", "at_quick_exit",
+    "_exit _Exit quick_exit atexit on_exit at_quick_exit "
     // files
-    "open", "openat", "creat", "fopen", "fopen64", "freopen", "fdopen", "opendir", "glob", "nftw",
-    "mkdir", "mkfifo", "mknod", "symlink", "unlink", "chmod", "chown", "chdir", "chroot", "mount",
-    "umount", "mkstemp", "tmpfile",
+    "open openat creat fopen fopen64 freopen fdopen opendir glob nftw mkdir mkfifo mknod symlink "
+    "unlink chmod chown chdir chroot mount umount mkstemp tmpfile "
     // memory of others, code of others
-    "mmap", "mprotect", "shm_open", "shmget", "shmat", "msgget", "semget", "mq_open",
-    "memfd_create", "dlopen", "dlsym", "setenv", "putenv", "clearenv",
+    "mmap mprotect shm_open shmget shmat msgget semget mq_open memfd_create dlopen dlsym setenv "
+    "putenv clearenv "
     // the network
-    "socket", "socketpair", "connect", "getaddrinfo", "gethostbyname", "sendto",
+    "socket socketpair connect getaddrinfo gethostbyname sendto "
     // the preprocessor's questions about files
-    "__has_include", "__has_include_next", "__has_embed"};
+    "__has_include __has_include_next __has_embed";
 
 // Attributes that let code run before or after main, or in another function's place.
-static const char *const attributes[] = {
-    "constructor", "__constructor__", "destructor",  "__destructor__", "ifunc",
-    "__ifunc__",   "section",         "__section__", "alias",          "__alias__"};
+static const char attributes[] = "constructor __constructor__ destructor __destructor__ ifunc "
+                                 "__ifunc__ section __section__ alias __alias__";
 
 // Where the counts of work are kept: an answer passes them on and never counts itself.
-static const char *const counters[] = {"work", "d_work"};
+static const char counters[] = "work d_work";
 
 // How strings begin that name a place outside of the lab.
 static const char *const places[] = {"/etc/", "/proc/", "/dev/",  "/sys/", "/root", "/home",
@@ -54,24 +51,32 @@ static const char *const places[] = {"/etc/", "/proc/", "/dev/",  "/sys/", "/roo
                                      "out/",  "job/",   "build/", "LD_"};
 
 // What the headers of the C standard are called that an answer may want, and OpenCL's.
-static const char *const headers[] = {
-    "assert.h",    "complex.h",       "ctype.h",  "errno.h",  "float.h",    "inttypes.h",
-    "iso646.h",    "limits.h",        "math.h",   "memory.h", "stdalign.h", "stdarg.h",
-    "stdbool.h",   "stddef.h",        "stdint.h", "stdio.h",  "stdlib.h",   "stdnoreturn.h",
-    "string.h",    "strings.h",       "tgmath.h", "time.h",   "values.h",   "CL/cl.h",
-    "CL/opencl.h", "CL/cl_platform.h"};
+static const char headers[] =
+    "assert.h complex.h ctype.h errno.h float.h inttypes.h iso646.h limits.h math.h memory.h "
+    "stdalign.h stdarg.h stdbool.h stddef.h stdint.h stdio.h stdlib.h stdnoreturn.h string.h "
+    "strings.h tgmath.h time.h values.h CL/cl.h CL/opencl.h CL/cl_platform.h";
 
-#define IN_LIST(word, list) in_list(word, list, sizeof(list) / sizeof *(list))
+// Three words in a row.
+typedef enum Position { BEFORE_LAST, LAST, WORD, N_POSITIONS } Position;
 
-static int in_list(const char *word, const char *const *list, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        if (strcmp(word, list[i]) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
+// What stands out wherever it is: words in a row, each one of a list; NULL for any.
+typedef struct Striking {
+    const char *words[N_POSITIONS];
+    int is_member;     // also where a structure's member is called
+    int in_attribute;  // only there
+    Position named;    // its line is told, and itself for %s
+    const char *says;
+} Striking;
+static const Striking striking[] = {
+    {{NULL, calls, "("}, 0, 0, LAST, "%s()"},
+    {{NULL, "main", "("}, 0, 0, LAST, "a function called %s"},
+    // Giving up with another status is what a program may do when memory runs out.
+    {{"exit", "(", "0 EXIT_SUCCESS"}, 1, 0, WORD, "exit(0)"},
+    {{NULL, NULL, "asm __asm __asm__"}, 1, 0, WORD, "asm"},
+    {{NULL, NULL, attributes}, 1, 1, WORD, "the attribute %s"},
+    {{NULL, counters, "-> . ["}, 1, 0, LAST, "a hand on the counted work (%s)"},
+    {{"pragma", "GCC", "dependency"}, 1, 0, WORD, "the pragma GCC dependency"},
+};
 
 // One look at one file: the last three words, and what was noted.
 typedef struct Look {
@@ -79,7 +84,7 @@ typedef struct Look {
     FILE *notes;
     int n_notes;
     char noted[MAX_NOTES][SOURCE_WORD_BYTES + 32];  // each thing once
-    SourceWord before_last, last, word;
+    SourceWord words[N_POSITIONS];
     int attribute_depth;  // open brackets since __attribute__; 0 outside of one
 } Look;
 
@@ -102,64 +107,51 @@ __attribute__((format(printf, 3, 4))) static void note(Look *look, int line, con
     }
 }
 
-// Work name: an answer that counts aside hides what it asks. The kernels that are handed out have
-// one, called work.
-static void look_at_own_count(Look *look)
+// Is a text one of a list that single blanks part?
+static int is_listed(const char *text, const char *list)
 {
-    if (source_is(&look->last, SOURCE_NAME, "Work") && look->word.kind == SOURCE_NAME &&
-        !IN_LIST(look->word.text, counters)) {
-        note(look, look->word.line, "a count of its own (Work %s)", look->word.text);
+    const size_t length = strlen(text);
+    for (const char *word = list; *word != '\0'; word += strspn(word, " ")) {
+        const size_t n = strcspn(word, " ");
+        if (n == length && memcmp(word, text, n) == 0) {
+            return 1;
+        }
+        word += n;
     }
+    return 0;
 }
 
-// name(  where no structure's member is called.
-static void look_at_call(Look *look)
+// The same of a word of the program itself, and not of what stands between quotes.
+static int is_one_of(const SourceWord *word, const char *list)
 {
-    const SourceWord *function = &look->last;
-    const int is_member = source_is(&look->before_last, SOURCE_SIGN, ".") ||
-                          source_is(&look->before_last, SOURCE_SIGN, "->");
-    if (!source_is(&look->word, SOURCE_SIGN, "(") || function->kind != SOURCE_NAME || is_member) {
-        return;
-    }
-    if (IN_LIST(function->text, calls)) {
-        note(look, function->line, "%s()", function->text);
-    } else if (strcmp(function->text, "main") == 0) {
-        note(look, function->line, "a function called main");
-    }
+    return (word->kind == SOURCE_NAME || word->kind == SOURCE_NUMBER ||
+            word->kind == SOURCE_SIGN) &&
+           is_listed(word->text, list);
 }
 
-// exit with status 0: giving up with another one is what a program may do when memory runs out.
-static void look_at_exit(Look *look)
+static int is_striking(const Look *look, const Striking *what)
 {
-    if (source_is(&look->before_last, SOURCE_NAME, "exit") &&
-        source_is(&look->last, SOURCE_SIGN, "(") &&
-        (source_is(&look->word, SOURCE_NUMBER, "0") ||
-         source_is(&look->word, SOURCE_NAME, "EXIT_SUCCESS"))) {
-        note(look, look->word.line, "exit(0)");
+    int is_it = (what->is_member || !is_one_of(&look->words[BEFORE_LAST], ". ->")) &&
+                (!what->in_attribute || look->attribute_depth > 0);
+    for (Position i = 0; i < N_POSITIONS; i++) {
+        is_it = is_it && (what->words[i] == NULL || is_one_of(&look->words[i], what->words[i]));
     }
+    return is_it;
 }
 
-static void look_at_word(Look *look)
+static void look_at_words(Look *look)
 {
-    const SourceWord *word = &look->word;
-    if (word->kind != SOURCE_NAME) {
-        return;
+    for (size_t i = 0; i < sizeof striking / sizeof *striking; i++) {
+        if (is_striking(look, &striking[i])) {
+            const SourceWord *named = &look->words[striking[i].named];
+            note(look, named->line, striking[i].says, named->text);
+        }
     }
-    if (strcmp(word->text, "asm") == 0 || strcmp(word->text, "__asm") == 0 ||
-        strcmp(word->text, "__asm__") == 0) {
-        note(look, word->line, "asm");
-    } else if (look->attribute_depth > 0 && IN_LIST(word->text, attributes)) {
-        note(look, word->line, "the attribute %s", word->text);
-    }
-}
-
-static void look_at_counter(Look *look)
-{
-    const int reaches_in = source_is(&look->word, SOURCE_SIGN, "->") ||
-                           source_is(&look->word, SOURCE_SIGN, ".") ||
-                           source_is(&look->word, SOURCE_SIGN, "[");
-    if (reaches_in && look->last.kind == SOURCE_NAME && IN_LIST(look->last.text, counters)) {
-        note(look, look->last.line, "a hand on the counted work (%s)", look->last.text);
+    // An answer that counts aside hides what it asks. The given kernels have a count called work.
+    const SourceWord *word = &look->words[WORD];
+    if (is_one_of(&look->words[LAST], "Work") && word->kind == SOURCE_NAME &&
+        !is_one_of(word, counters)) {
+        note(look, word->line, "a count of its own (Work %s)", word->text);
     }
 }
 
@@ -171,67 +163,55 @@ static int ends_with(const char *text, const char *ending)
 
 static void look_at_string(Look *look)
 {
-    const SourceWord *string = &look->word;
-    if (string->kind != SOURCE_STRING || source_is(&look->last, SOURCE_NAME, "include")) {
+    const SourceWord *string = &look->words[WORD];
+    if (string->kind != SOURCE_STRING || is_one_of(&look->words[LAST], "include")) {
         return;
     }
+    int is_place =
+        strstr(string->text, ".incbin") != NULL || strstr(string->text, ".include") != NULL;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        if (strncmp(string->text, places[i], strlen(places[i])) == 0) {
-            note(look, string->line, "\"%s\"", string->text);
-            return;
-        }
+        is_place |= strncmp(string->text, places[i], strlen(places[i])) == 0;
     }
-    if (strstr(string->text, ".incbin") != NULL || strstr(string->text, ".include") != NULL) {
+    if (is_place) {
         note(look, string->line, "\"%s\"", string->text);
+    }
+    if (is_one_of(&look->words[BEFORE_LAST], "_Pragma") && strstr(string->text, "dependency")) {
+        note(look, string->line, "the pragma GCC dependency");
     }
 }
 
 static int is_given_header(const SourceWord *file)
 {
     if (file->kind == SOURCE_HEADER) {
-        return IN_LIST(file->text, headers);
+        return is_listed(file->text, headers);
     }
     return file->kind == SOURCE_STRING && file->text[0] != '/' &&
            (ends_with(file->text, ".h") || ends_with(file->text, ".cl"));
 }
 
-// #include of a header that is not the lab's, #line, #embed, and pragmas that look at files.
+// #include of a header that is not the lab's, #line and #embed.
 static void look_at_directive(Look *look)
 {
-    const SourceWord *name = &look->last, *argument = &look->word;
-    if (!name->in_directive || !source_is(&look->before_last, SOURCE_SIGN, "#") ||
-        (name->kind != SOURCE_NAME && name->kind != SOURCE_NUMBER)) {
+    const SourceWord *name = &look->words[LAST], *argument = &look->words[WORD];
+    if (!name->in_directive || !is_one_of(&look->words[BEFORE_LAST], "#")) {
         return;
     }
-    if (strncmp(name->text, "include", strlen("include")) == 0 && !is_given_header(argument)) {
+    if (name->kind == SOURCE_NAME && strncmp(name->text, "include", strlen("include")) == 0 &&
+        !is_given_header(argument)) {
         note(look, name->line, argument->kind == SOURCE_HEADER ? "#%s <%s>" : "#%s \"%s\"",
              name->text, argument->text);
-    } else if (name->kind == SOURCE_NUMBER || strcmp(name->text, "line") == 0 ||
-               strcmp(name->text, "embed") == 0) {
+    } else if (name->kind == SOURCE_NUMBER || is_one_of(name, "line embed")) {
         note(look, name->line, "#%s", name->text);
-    }
-}
-
-static void look_at_pragma(Look *look)
-{
-    const SourceWord *word = &look->word;
-    const int in_directive = word->in_directive && source_is(&look->last, SOURCE_NAME, "GCC") &&
-                             source_is(&look->before_last, SOURCE_NAME, "pragma") &&
-                             source_is(word, SOURCE_NAME, "dependency");
-    const int in_operator = source_is(&look->before_last, SOURCE_NAME, "_Pragma") &&
-                            word->kind == SOURCE_STRING && strstr(word->text, "dependency");
-    if (in_directive || in_operator) {
-        note(look, word->line, "the pragma GCC dependency");
     }
 }
 
 static void attribute_follow(Look *look)
 {
-    if (source_is(&look->word, SOURCE_SIGN, "(") &&
-        (look->attribute_depth > 0 || source_is(&look->last, SOURCE_NAME, "__attribute__") ||
-         source_is(&look->last, SOURCE_NAME, "__attribute"))) {
+    const SourceWord *word = &look->words[WORD];
+    if (is_one_of(word, "(") &&
+        (look->attribute_depth > 0 || is_one_of(&look->words[LAST], "__attribute__ __attribute"))) {
         look->attribute_depth++;
-    } else if (source_is(&look->word, SOURCE_SIGN, ")") && look->attribute_depth > 0) {
+    } else if (is_one_of(word, ")") && look->attribute_depth > 0) {
         look->attribute_depth--;
     }
 }
@@ -241,19 +221,14 @@ int stands_out_in_text(const char *name, const char *text, FILE *notes)
     Look look = {.name = name, .notes = notes};
     SourceReader reader = source_reader(text);
     do {
-        look.before_last = look.last;
-        look.last = look.word;
-        look.word = source_next(&reader);
+        look.words[BEFORE_LAST] = look.words[LAST];
+        look.words[LAST] = look.words[WORD];
+        look.words[WORD] = source_next(&reader);
         attribute_follow(&look);
-        look_at_call(&look);
-        look_at_own_count(&look);
-        look_at_exit(&look);
-        look_at_word(&look);
-        look_at_counter(&look);
+        look_at_words(&look);
         look_at_string(&look);
         look_at_directive(&look);
-        look_at_pragma(&look);
-    } while (look.word.kind != SOURCE_END);
+    } while (look.words[WORD].kind != SOURCE_END);
     return look.n_notes;
 }
 
@@ -310,7 +285,7 @@ char *stands_out(const Manifest *manifest, const char *staged, const char *submi
               "worked.)\n",
               notes);
     }
-    n_notes += extra_files_note(manifest, submission, notes);
+    n_notes += stands_out_in_folder(manifest, submission, notes);
     if (fclose(notes) != 0 || n_notes == 0) {
         free(text);
         return NULL;

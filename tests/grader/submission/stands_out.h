@@ -22,4 +22,16 @@ char *stands_out(const Manifest *manifest, const char *staged, const char *submi
 //   name   the file's, for the notes
 int stands_out_in_text(const char *name, const char *text, FILE *notes);
 
+// The part that names, in one line, the entries of folder `submission` that neither were asked for
+// nor come with the lab, and a manifest that is not the lab's own. None of them is opened but the
+// manifest. Returns how many notes were written: 0 or 1. Of a submission that is no folder there
+// are none.
+int stands_out_in_folder(const Manifest *manifest, const char *submission, FILE *notes);
+
+// For the student: characters in a text, outside of its comments, strings and characters, that look
+// like others, or like nothing. A compiler's error at them is a riddle, as the line looks right.
+// Write a line for each to `notes`, with the line of `name` and the code point, but for no more than
+// a few. Returns how many there are.
+int stands_out_unseen(const char *name, const char *text, FILE *notes);
+
 #endif

@@ -248,11 +248,8 @@ static int single_file_copy(int from, const char *to)
     unsigned char *bytes = malloc(STAGE_MAX_FILE_BYTES + 1);
     const ssize_t n = bytes != NULL ? place_bytes_read(from, bytes) : -1;
     const int out = n >= 0 ? open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644) : -1;
-    const int failed = out < 0 || bytes_write(out, bytes, (size_t)n) != 0;
-    int fault = failed ? errno : 0;
-    if (out >= 0 && close(out) != 0 && fault == 0) {
-        fault = errno;
-    }
+    const int fault =
+        out < 0 || close_after(out, bytes_write(out, bytes, (size_t)n)) != 0 ? errno : 0;
     free(bytes);
     return fault == 0 ? 0 : machinery_fault(to, fault);
 }

@@ -1,6 +1,6 @@
 // The lab's files out of an archive (see unpack.h).
 //
-// Here is decided which entries are kept. Read next: unpack_read.c, copies.h, unpack_write.c.
+// Here is decided which entries are kept. Read next: unpack_read.c, copies.h.
 #include "unpack.h"
 
 #include "contents.h"
@@ -8,7 +8,6 @@
 #include "message.h"
 #include "stage.h"
 #include "unpack_read.h"
-#include "unpack_write.h"
 
 #include <archive.h>
 #include <archive_entry.h>

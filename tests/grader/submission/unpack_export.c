@@ -1,13 +1,13 @@
 // All of a class's export out of an archive (see unpack.h).
 //
 // The files are written as they are read: together they may be larger than the memory. Read next:
-// unpack_read.c, unpack_write.c.
+// unpack_read.c, places.h.
 #include "bytes_write.h"
 #include "folder.h"
 #include "message.h"
+#include "places.h"
 #include "unpack.h"
 #include "unpack_read.h"
-#include "unpack_write.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -75,13 +75,10 @@ static int file_unpack(const UnpackReading *reading, struct archive_entry *entry
         return complain_fault(reading, path);
     }
     const int outcome = content_copy(reading, entry, path, file);
-    const int fault = errno;
-    unpack_time_set(file, archive_entry_mtime(entry));
-    if (close(file) != 0 && outcome == 0) {
-        return -1;
+    if (outcome == 0) {
+        time_set(file, archive_entry_mtime(entry));
     }
-    errno = fault;
-    return outcome;
+    return close_after(file, outcome);
 }
 
 // An entry that is no folder, in the open folder that it belongs to.
@@ -110,7 +107,7 @@ static int entry_unpack(const UnpackReading *reading, struct archive_entry *entr
         const int is_top = is_folder && path[strspn(path, "./")] == '\0';
         return is_top ? 0 : complain(reading, path, "is no path below a folder, or a long one");
     }
-    const int parent = unpack_folder_open(folder, parts.folder);
+    const int parent = place_make(folder, parts.folder);
     if (parent < 0) {
         return complain_fault(reading, path);
     }
@@ -118,13 +115,10 @@ static int entry_unpack(const UnpackReading *reading, struct archive_entry *entr
     if (!is_folder) {
         outcome = entry_write(reading, entry, path, parent, parts.name);
     } else {
-        const int inner = unpack_folder_open(parent, parts.name);
+        const int inner = place_make(parent, parts.name);
         outcome = inner < 0 ? complain_fault(reading, path) : close(inner);
     }
-    const int fault = errno;
-    close(parent);
-    errno = fault;
-    return outcome;
+    return close_after(parent, outcome);
 }
 
 struct archive *unpack_export_reader_new(void)

@@ -10,7 +10,6 @@
 #include "folder.h"
 #include "message.h"
 #include "path.h"
-#include "room.h"
 #include "sandbox.h"
 #include "submission.h"
 #include "unpack.h"
@@ -78,12 +77,7 @@ static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
             outcome = -1;
         }
     }
-    const int fault = errno;
-    if (close(out) != 0) {
-        return -1;
-    }
-    errno = fault;
-    return outcome;
+    return close_after(out, outcome);
 }
 
 static int copy_tool(const char *build, const char *to)

@@ -9,9 +9,9 @@
 // line on stdout tells; 2 when it could not work itself, before it looked at the archive or by a
 // fault of the folder, with a line on stderr. Read next: unpack_run.c, which starts it, and does
 // not believe the 2.
+#include "bytes_write.h"
 #include "complain.h"
 #include "file_kind.h"
-#include "room.h"
 #include "unpack.h"
 
 #include <archive.h>

@@ -1,5 +1,5 @@
-// Looking for characters that nobody sees (see odd_signs.h).
-#include "odd_signs.h"
+// Looking for characters that nobody sees (see stands_out.h).
+#include "stands_out.h"
 
 #include "source_words.h"
 #include "utf8.h"
@@ -45,7 +45,7 @@ static const OddSign *odd_sign_find(uint32_t character)
     return NULL;
 }
 
-int odd_signs_note(const char *name, const char *text, FILE *notes)
+int stands_out_unseen(const char *name, const char *text, FILE *notes)
 {
     enum { MOST_SHOWN = 4 };
     int n_found = 0;

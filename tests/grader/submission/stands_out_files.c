@@ -1,8 +1,8 @@
-// Naming what else was handed in (see extra_files.h).
+// Naming what else was handed in (see stands_out.h).
 //
 // The grader never uses any of it: a Makefile, a manifest or a header of the student's own has no
 // effect, and this line says so. Read next: stage.c.
-#include "extra_files.h"
+#include "stands_out.h"
 
 #include "clean_text.h"
 #include "contents.h"
@@ -99,7 +99,7 @@ static void name_write(FILE *notes, const char *name)
     free(clean);
 }
 
-int extra_files_note(const Manifest *manifest, const char *submission, FILE *notes)
+int stands_out_in_folder(const Manifest *manifest, const char *submission, FILE *notes)
 {
     char given[PATH_MAX];
     char *names[MAX_ENTRIES];
