@@ -9,7 +9,6 @@
 #include "lot.h"
 #include "path.h"
 #include "skeleton.h"
-#include "source_words.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -105,7 +104,7 @@ static char *file_text(const Session *session, const char *file, const Task *tas
 static int write_job(Session *session, const Task *task, const Variant *variant)
 {
     char job[PATH_MAX];
-    variant_job_path(&session->workshop, variant, job);
+    variant_job_path(variant, job);
     FILE *file = fopen(job, "wb");
     int failed = file == NULL || section_write(file, PROBE_ALONE, task->id, strlen(task->id)) != 0;
     if (!failed && judge_job(&session->judge, task->id, file) != 0) {
@@ -124,85 +123,12 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
                const char *own, Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
-    char folder[PATH_MAX];
-    int result = variant_open(&session->workshop, name, variant, folder);
+    int result = variant_open(&session->workshop, name, variant);
     variant->alone = task->id;
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
-        char *text =
-            file_text(session, manifest->files[i], task, answer, own, &variant->is_changed);
-        result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
-        free(text);
+        const char *file = manifest->files[i];
+        result = variant_put(variant, file,
+                             file_text(session, file, task, answer, own, &variant->is_changed));
     }
     return result == 0 ? write_job(session, task, variant) : -1;
-}
-
-// An answer, and behind it the end of each macro that it defines: in another task's lines it would
-// change what stands there. Takes the answer over; NULL stays NULL, and is all without memory.
-static char *seal(char *answer, int *is_sealed)
-{
-    char *sealed = NULL;
-    size_t n_bytes;
-    FILE *stream = answer != NULL ? open_memstream(&sealed, &n_bytes) : NULL;
-    if (stream != NULL) {
-        SourceReader reader = source_reader(answer);
-        fputs(answer, stream);
-        for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
-             word = source_next_macro(&reader)) {
-            fprintf(stream, "#undef %s\n", word.text);
-            *is_sealed = 1;
-        }
-        fclose(stream);
-    }
-    free(answer);
-    return sealed;
-}
-
-// One of the lab's files as it is handed out, with all of the student's answers that can be put in.
-// NULL after one message.
-static char *answers_text(const Manifest *manifest, const char *file, const char *own, int seals,
-                          int *is_sealed)
-{
-    char path[PATH_MAX];
-    char *text = skeleton_read(manifest, file);
-    path_make(path, "%s/%s", own, file);
-    for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
-        const Task *task = &manifest->tasks[t];
-        char *answer = strcmp(task->file, file) == 0 ? hole_load(path, task->id) : NULL;
-        answer = seals ? seal(answer, is_sealed) : answer;
-        char *filled = answer != NULL ? hole_fill(text, task->id, answer) : NULL;
-        if (filled != NULL) {
-            free(text);
-            text = filled;
-        }
-        free(answer);
-    }
-    return text;
-}
-
-int answers_fill(Session *session, const char *name, const char *own, int seals, Variant *variant)
-{
-    const Manifest *manifest = &session->manifest;
-    char folder[PATH_MAX];
-    int result = variant_open(&session->workshop, name, variant, folder);
-    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
-        char path[PATH_MAX];
-        char *text = answers_text(manifest, manifest->files[i], own, seals, &variant->is_sealed);
-        path_make(path, "%s/%s", own, manifest->files[i]);
-        char *own_text = text_file_read(path);
-        variant->is_changed |= text != NULL && own_text != NULL && strcmp(text, own_text) != 0;
-        result = text == NULL ? -1 : session_write(folder, manifest->files[i], text);
-        free(own_text);
-        free(text);
-    }
-    return result;
-}
-
-int alone_passes(Session *session, int i, const Variant *variant)
-{
-    return judge_passes_alone(&session->judge, (Answers){variant->number, &variant->answers}, i);
-}
-
-Diagnosis alone_cause(Session *session, int i, const Variant *variant)
-{
-    return judge_alone_cause(&session->judge, (Answers){variant->number, &variant->answers}, i);
 }

@@ -19,18 +19,4 @@
 int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
                const char *own, Variant *variant);
 
-// Make a variant of all answers together, with what stands beside the marked lines left out: the
-// files as they are handed out, with what is between the student's markers.
-//   own     the folder of the student's files
-//   seals   does a macro end with the answer that defines it?
-// Sets variant->is_changed where the student's files are other than that, and is_sealed where a
-// macro was ended. Returns 0, or -1 after one message.
-int answers_fill(Session *session, const char *name, const char *own, int seals, Variant *variant);
-
-// Does check number i, one of the variant's task, pass? The variant has run.
-int alone_passes(Session *session, int i, const Variant *variant);
-
-// Why it does not, where stand-ins have a part in that: see judge_alone_cause().
-Diagnosis alone_cause(Session *session, int i, const Variant *variant);
-
 #endif

@@ -56,6 +56,8 @@ static char *describe_end(Grading *grading)
     char *line = whole->has_crashed ? session_find_line(&grading->session, whole, &task) : NULL;
     grading->has_line = line != NULL;
     grading->end_task = line != NULL ? task : place->task[0] != '\0' ? place->task : NULL;
+    grading->session.allowance.is_endless = whole->is_endless;
+    grading->session.allowance.endless_task = grading->end_task;
     char *message = NULL;
     size_t length = 0;
     FILE *text = open_memstream(&message, &length);
@@ -139,7 +141,7 @@ static void add_advice(Grading *grading)
         advice = advice_after_crash(manifest);
     } else if (whole->trouble == NULL) {
         char folder[PATH_MAX];
-        path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, whole->name);
+        path_make(folder, "%s/lab", whole->folder);
         advice = advice_on_local(manifest, folder);
     }
     if (advice == NULL && whole->trouble == NULL) {
@@ -237,14 +239,12 @@ static int check_task(const Manifest *manifest, const char *task)
 static int grade(Grading *grading, const Settings *settings)
 {
     Session *session = &grading->session;
-    char folder[PATH_MAX];
     if (session_open(session, settings) != 0 ||
-        check_task(&session->manifest, settings->task) != 0 || find_device(session) != 0 ||
-        variant_open(&session->workshop, "whole", &grading->whole, folder) != 0) {
+        check_task(&session->manifest, settings->task) != 0 || find_device(session) != 0) {
         return -1;
     }
     start_result(grading, settings);
-    const int is_staged = grading_stage(grading, settings->submission, folder);
+    const int is_staged = grading_stage(grading, settings->submission);
     if (is_staged < 0) {
         return -1;
     }
@@ -271,8 +271,8 @@ static int grade(Grading *grading, const Settings *settings)
     if (settings->has_no_report) {
         return 0;
     }
-    const Answers answers = {grading->whole.number, &grading->whole.answers};
-    const int result = judge_add_pictures(&session->judge, answers, &grading->result);
+    const int result =
+        judge_add_pictures(&session->judge, variant_answers(&grading->whole), &grading->result);
     result_hide_pictures(&grading->result);
     return result;
 }

@@ -30,10 +30,13 @@ typedef struct Grading {
     Result result;
 } Grading;
 
-// Copy what was handed in to folder `folder`, with the file as it is handed out in the place of
-// each that cannot be used. Returns 1; 0 where no file can be used, so that there is nothing to
-// judge; -1 after one message.
-int grading_stage(Grading *grading, const char *submission, const char *folder);
+// Make the whole of what was handed in, with the file as it is handed out in the place of each that
+// cannot be used. Returns 1; 0 where no file can be used, so that there is nothing to judge; -1
+// after one message.
+int grading_stage(Grading *grading, const char *submission);
+
+// The path of one of the lab's files as it was handed in; of their folder, where `file` is "".
+void grading_own_path(const Grading *grading, const char *file, char path[PATH_MAX]);
 
 // Was this file of the lab replaced then?
 int grading_is_replaced(const Grading *grading, const char *file);
@@ -54,10 +57,25 @@ int grading_retry(Grading *grading);
 // another answer is to blame for what it lost in the whole. Returns 0, or -1 after one message.
 int grading_try_alone(Grading *grading);
 
+// Is check number i one of task number t's?
+int grading_is_of(const Grading *grading, int i, int t);
+
+// Has the whole compiled, and come to its end?
+int grading_is_finished(const Grading *grading);
+
+// Say of check number i of task t, which did not pass in the whole, what came of trying its answer
+// alone (grading_told.c).
+//   is_others   another answer may have a part in what was found in the whole
+void grading_tell_alone(Grading *grading, int t, int i, int is_others);
+
 // Let all answers run together once more, without what stands beside them: which checks pass then
 // is noted, and told where it is more than in the whole (grading_together.c). Returns 0, or -1
 // after one message.
 int grading_try_together(Grading *grading);
+
+// The macros of the student's own files that those which are handed out do not define: "r, x"; ""
+// for none; of many the first. Owned by the caller.
+char *grading_own_macros(const Grading *grading);
 
 // A macro that the answer to task number t uses, and that the student defines outside of it; NULL:
 // none. Owned by the caller.

@@ -1,6 +1,6 @@
 // Trying answers alone, and what a task may have of it (see grading.h).
 //
-// Called by grading_judge.c. Read next: alone.h.
+// Called by grading_judge.c. Read next: alone.h, grading_told.c.
 //
 // The whole decides wherever it can. A check counts as passed by what an answer does alone only
 // where another answer is wrong for certain and has a part in the check, or where the whole did not
@@ -9,57 +9,9 @@
 #include "alone.h"
 #include "blame.h"
 #include "grading.h"
-#include "message.h"
-#include "path.h"
-#include "source_words.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static void own_folder(const Grading *grading, char folder[PATH_MAX])
-{
-    path_make(folder, "%s/variant-whole/lab", grading->session.workshop.folder);
-}
-
-// Run all answers together in the place of the whole, if they compile.
-//   seals, is_sealed   see answers_fill()
-// Returns 0, or -1 after one message.
-static int take_answers(Grading *grading, int seals, int *is_sealed)
-{
-    char folder[PATH_MAX];
-    Variant answers;
-    Variant *const variants[] = {&answers};
-    own_folder(grading, folder);
-    if (answers_fill(&grading->session, "answers", folder, seals, &answers) != 0 ||
-        session_run(&grading->session, variants, 1) != 0) {
-        variant_free(&answers);
-        return -1;
-    }
-    *is_sealed = answers.is_sealed;
-    if (answers.build_log == NULL) {
-        grading->build_log =
-            message_new("%s\nWhat stands between the markers compiles. The rest of these files was "
-                        "replaced by what is handed out, so that it could be judged.",
-                        grading->whole.build_log);
-        variant_free(&grading->whole);
-        grading->whole = answers;
-    } else {
-        variant_free(&answers);
-    }
-    return 0;
-}
-
-int grading_retry(Grading *grading)
-{
-    int is_sealed = 0, result = 0;
-    if (grading->whole.build_log != NULL) {
-        result = take_answers(grading, 1, &is_sealed);
-    }
-    if (result == 0 && grading->whole.build_log != NULL && is_sealed) {
-        result = take_answers(grading, 0, &is_sealed);
-    }
-    return result;
-}
 
 // ---- Trying -------------------------------------------------------------------------------------
 
@@ -68,18 +20,13 @@ static const Task *task_of(const Grading *grading, int t)
     return &grading->session.manifest.tasks[t];
 }
 
-static int is_of(const CheckResult *check, const Task *task)
-{
-    return strcmp(check->task, task->id) == 0;
-}
-
 // Is there a check of the task that neither passes nor is known to pass alone?
 static int is_open(const Grading *grading, int t)
 {
     int n_open = 0;
     for (int i = 0; i < grading->result.n_checks; i++) {
         const CheckResult *check = &grading->result.checks[i];
-        n_open += is_of(check, task_of(grading, t)) && check->status != CHECK_PASSED &&
+        n_open += grading_is_of(grading, i, t) && check->status != CHECK_PASSED &&
                   !grading->verdicts[t].passes[i];
     }
     return n_open > 0;
@@ -91,8 +38,9 @@ static void note_verdicts(Grading *grading, int t)
     AloneVerdicts found = {.was_tried = 1};
     for (int i = 0; i < grading->result.n_checks; i++) {
         const CheckResult *check = &grading->result.checks[i];
-        if (is_of(check, task_of(grading, t))) {
-            found.passes[i] = alone_passes(&grading->session, i, &grading->alone[t]);
+        if (grading_is_of(grading, i, t)) {
+            found.passes[i] =
+                judge_passes_alone(&grading->session.judge, variant_answers(&grading->alone[t]), i);
             found.points += found.passes[i] ? check->max_points : 0;
         }
     }
@@ -108,14 +56,6 @@ static int is_due(const Grading *grading, int t, const char *own)
            (own != NULL || grading->alone[t].is_changed);
 }
 
-// May the endless loop of the whole be this task's? Then less time is enough to see it again. Where
-// it is known to be another's, this one gets the time of any first run.
-static int may_loop_again(const Grading *grading, int t)
-{
-    const char *end = grading->end_task;
-    return grading->whole.is_endless && (end == NULL || strcmp(end, task_of(grading, t)->id) == 0);
-}
-
 // Make the variant in which a task's answer is tried alone. Returns 1, 0 where there is no answer,
 // or -1 after one message.
 static int fill(Grading *grading, int t, const char *own)
@@ -128,7 +68,6 @@ static int fill(Grading *grading, int t, const char *own)
     }
     variant_free(alone);
     const int filled = alone_fill(&grading->session, task->id, task, answer, own, alone);
-    alone->is_again = may_loop_again(grading, t);
     free(answer);
     return filled == 0 ? 1 : -1;
 }
@@ -191,11 +130,6 @@ static int try_in(Grading *grading, const char *own)
 
 // ---- What it counts -----------------------------------------------------------------------------
 
-static int is_finished(const Grading *grading)
-{
-    return grading->whole.build_log == NULL && grading->whole.trouble == NULL;
-}
-
 // Is the answer to a task wrong for certain, or not there?
 static int is_wrong(const Grading *grading, int t)
 {
@@ -203,7 +137,7 @@ static int is_wrong(const Grading *grading, int t)
     for (int i = 0; i < grading->result.n_checks && !grading->is_untouched[t]; i++) {
         const CheckResult *check = &grading->result.checks[i];
         const Check *asked = &grading->session.judge.checks[i];
-        if (is_of(check, task_of(grading, t)) && check->status != CHECK_PASSED &&
+        if (grading_is_of(grading, i, t) && check->status != CHECK_PASSED &&
             (alone->was_tried ? !alone->passes[i]
                               : check->status == CHECK_FAILED && !check_needs_others(asked))) {
             return 1;
@@ -217,7 +151,8 @@ static int is_wrong(const Grading *grading, int t)
 static int has_ended_whole(const Grading *grading, int t)
 {
     const char *task = grading->end_task;
-    return !is_finished(grading) && task != NULL && strcmp(task, task_of(grading, t)->id) == 0;
+    return !grading_is_finished(grading) && task != NULL &&
+           strcmp(task, task_of(grading, t)->id) == 0;
 }
 
 // Is task t to blame for what a check found, as one of its own checks failed in the whole, and none
@@ -233,7 +168,7 @@ static int is_to_blame(const Grading *grading, int t, const char *asking, const 
         for (int other = 0; other < manifest->n_tasks; other++) {
             is_excused |= is_task_wrong[other] && check_needs(check, manifest->tasks[other].id);
         }
-        is_found |= strcmp(check->task, task_of(grading, t)->id) == 0 && !is_excused &&
+        is_found |= grading_is_of(grading, i, t) && !is_excused &&
                     grading->result.checks[i].status == CHECK_FAILED;
     }
     return is_found;
@@ -243,7 +178,7 @@ static int is_to_blame(const Grading *grading, int t, const char *asking, const 
 static int may_count(const Grading *grading, int i, const int is_task_wrong[])
 {
     const Check *check = &grading->session.judge.checks[i];
-    const int finished = is_finished(grading);
+    const int finished = grading_is_finished(grading);
     int is_others = !finished && !check_needs_others(check);
     for (int t = 0; t < grading->session.manifest.n_tasks; t++) {
         const char *other = task_of(grading, t)->id;
@@ -252,147 +187,6 @@ static int may_count(const Grading *grading, int i, const int is_task_wrong[])
             (is_task_wrong[t] || (finished && is_to_blame(grading, t, check->task, is_task_wrong)));
     }
     return is_others;
-}
-
-// Does the answer name another task, or make names by # or ##, in a macro of its own? Then a
-// stand-in may have had a part in what was found alone.
-static int names_others(const Grading *grading, int t)
-{
-    char *answer = grading_answer(grading, task_of(grading, t));
-    int n_named = answer == NULL;
-    SourceReader reader = source_reader(answer != NULL ? answer : "");
-    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END;
-         word = source_next(&reader)) {
-        n_named +=
-            word.in_directive && !word.begins_directive && source_is(&word, SOURCE_SIGN, "#");
-        for (int other = 0; other < grading->session.manifest.n_tasks; other++) {
-            n_named += other != t && source_is(&word, SOURCE_NAME, task_of(grading, other)->id);
-        }
-    }
-    free(answer);
-    return n_named > 0;
-}
-
-// Say of check number i what was found where its answer was tried alone. Only where it is judged
-// there as in the whole, on the same inputs and by the lab's rules, and where the answer calls no
-// other task's function: what stand-ins do has no part in what is said. Returns whether there was
-// anything to say.
-static int tell_alone(Grading *grading, int t, int i)
-{
-    CheckResult found = {.max_points = grading->result.checks[i].max_points};
-    check_tell(&found, NOTHING_WRONG);
-    if (grading->session.judge.checks[i].is_same_alone && !names_others(grading, t)) {
-        session_judge(&grading->session, 0, i, &grading->alone[t], &found);
-    }
-    const int is_told = found.status == CHECK_FAILED;
-    if (is_told) {
-        CheckResult *check = &grading->result.checks[i];
-        const Diagnosis *own = &found.diagnosis;
-        check_fail(check, (Diagnosis){.found = message_new("tested alone: %s", own->found),
-                                      .cause = own->cause ? message_new("%s", own->cause) : NULL,
-                                      .mistake = own->mistake,
-                                      .evidence = own->evidence,
-                                      .silence = own->silence});
-        check->is_explained = found.is_explained;
-        check->is_told_alone = 1;
-    }
-    check_free(&found);
-    return is_told;
-}
-
-// Say of check number i by which known mistake its answer fails alone, where stand-ins have a part
-// in that: what was found would show what they do, a sentence of ours does not. The facts stay
-// those of the whole. Returns whether there was anything to say.
-static int tell_cause(Grading *grading, int t, int i)
-{
-    CheckResult *check = &grading->result.checks[i];
-    Diagnosis alone = alone_cause(&grading->session, i, &grading->alone[t]);
-    const int is_told = alone.cause != NULL;
-    if (is_told) {
-        const char *found =
-            check->status == CHECK_FAILED ? check->diagnosis.found : "it fails when tested alone";
-        check_fail(check, (Diagnosis){.found = message_new("%s", found),
-                                      .cause = message_new("tested alone: %s", alone.cause),
-                                      .mistake = alone.mistake,
-                                      .evidence = check->diagnosis.evidence});
-        check->is_explained = 1;
-        check->is_told_alone = 1;
-    }
-    diagnosis_free(&alone);
-    return is_told;
-}
-
-// Say of a check that its answer does not come to its end alone, which is its own mistake whatever
-// else is wrong. How it ended is said only as far as a run cannot choose among many ways: by an
-// exit status it could tell what stand-ins hold.
-static void tell_end(CheckResult *check, const Variant *alone)
-{
-    const char *end = alone->is_endless    ? alone->trouble
-                      : alone->has_crashed ? "it crashes; an index or a pointer out of range?"
-                                           : "it does not come to its end";
-    const int is_found = check->status == CHECK_FAILED;
-    check_fail(check, (Diagnosis){.found = message_new("%s%stested alone, %s",
-                                                       is_found ? check->diagnosis.found : "",
-                                                       is_found ? "; " : "", end),
-                                  .evidence = check->diagnosis.evidence});
-    check->is_explained = alone->is_endless || alone->has_crashed;
-    check->is_told_alone = 1;
-}
-
-// Say of a check that its answer does not compile alone, if that may be as it uses a macro that is
-// defined elsewhere. Returns whether there was anything to say.
-static int tell_lack(const Grading *grading, int t, CheckResult *check)
-{
-    char *macro = grading_lacked_macro(grading, t);
-    if (macro != NULL) {
-        const int is_found = check->status == CHECK_FAILED;
-        check_fail(check,
-                   (Diagnosis){.found = message_new("%s%swithout your other answers it does not "
-                                                    "compile",
-                                                    is_found ? check->diagnosis.found : "",
-                                                    is_found ? "; " : ""),
-                               .cause = message_new("it uses the macro %s, which is not defined "
-                                                    "between its own markers",
-                                                    macro),
-                               .evidence = check->diagnosis.evidence});
-        check->is_explained = 1;
-        check->is_told_alone = 1;
-    }
-    const int is_told = macro != NULL;
-    free(macro);
-    return is_told;
-}
-
-// What is said of check number i of task t, which failed alone, too, or by nobody else's fault.
-//   is_others   another answer may have a part in what was found in the whole
-static void note_own(Grading *grading, int t, int i, int is_others)
-{
-    const Variant *alone = &grading->alone[t];
-    CheckResult *check = &grading->result.checks[i];
-    const int passes = grading->verdicts[t].passes[i];
-    check->is_own = !passes || is_finished(grading);
-    check->passes_alone = passes;
-    if (!is_others || passes) {
-        return;
-    }
-    if (alone->build_log != NULL && tell_lack(grading, t, check)) {
-        return;
-    } else if (alone->build_log != NULL) {
-        // What does not compile is reported once, under "Compiling".
-        check->alone = "without your other answers it does not compile, so it was not tested alone";
-    } else if (alone->trouble != NULL) {
-        tell_end(check, alone);
-    } else if (tell_alone(grading, t, i) || tell_cause(grading, t, i)) {
-        return;
-    } else if (check->status == CHECK_NOT_RUN) {
-        check_fail(check, diagnosis_new("it fails when tested alone; what is wrong may be named "
-                                        "once %s",
-                                        grading->whole.build_log != NULL
-                                            ? "all files compile"
-                                            : "the program comes to its end"));
-    } else {
-        check->alone = "it also fails when tested alone";
-    }
 }
 
 // Is it about whole scenes, in which every answer has a part, or more than one other?
@@ -411,13 +205,13 @@ static void void_borrowed(Grading *grading, int t)
     int n_own = 0, n_passed = 0;
     for (int i = 0; i < grading->result.n_checks; i++) {
         const CheckResult *check = &grading->result.checks[i];
-        const int is_own = is_of(check, task_of(grading, t)) && !is_of_whole(grading, i);
+        const int is_own = grading_is_of(grading, i, t) && !is_of_whole(grading, i);
         n_own += is_own;
         n_passed += is_own && (check->status == CHECK_PASSED || grading->verdicts[t].passes[i]);
     }
     for (int i = 0; i < grading->result.n_checks && n_own > 0 && n_passed == 0; i++) {
         CheckResult *check = &grading->result.checks[i];
-        if (is_of(check, task_of(grading, t)) && check->status == CHECK_PASSED) {
+        if (grading_is_of(grading, i, t) && check->status == CHECK_PASSED) {
             check_fail(check,
                        diagnosis_new("what it looks at comes out right, but counts only where "
                                      "another check of this task passes"));
@@ -458,11 +252,11 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
         const int passed = check->status == CHECK_PASSED;
         counts[i] = alone->passes[i] && (passed || counts_alone(grading, i, is_task_wrong));
         points += counts[i] ? check->max_points : 0;
-        whole_points += is_of(check, task_of(grading, t)) && passed ? check->max_points : 0;
+        whole_points += grading_is_of(grading, i, t) && passed ? check->max_points : 0;
     }
     for (int i = 0; i < grading->result.n_checks; i++) {
         CheckResult *check = &grading->result.checks[i];
-        if (!is_of(check, task_of(grading, t))) {
+        if (!grading_is_of(grading, i, t)) {
             continue;
         }
         if (points > whole_points && counts[i]) {
@@ -471,8 +265,9 @@ static void settle(Grading *grading, int t, const int is_task_wrong[])
             check_fail(check, diagnosis_new("it passes together with your other answers, but not "
                                             "alone, where the task earned more"));
         } else if (check->status != CHECK_PASSED) {
-            note_own(grading, t, i,
-                     !is_finished(grading) || counts_alone(grading, i, is_task_wrong));
+            grading_tell_alone(grading, t, i,
+                               !grading_is_finished(grading) ||
+                                   counts_alone(grading, i, is_task_wrong));
         }
     }
 }
@@ -481,7 +276,7 @@ int grading_try_alone(Grading *grading)
 {
     char folder[PATH_MAX];
     int is_task_wrong[MANIFEST_MAX_TASKS];
-    own_folder(grading, folder);
+    grading_own_path(grading, "", folder);
     if (try_in(grading, folder) != 0 || try_in(grading, NULL) != 0) {
         return -1;
     }

@@ -7,7 +7,6 @@
 #include "blame.h"
 #include "holes.h"
 #include "message.h"
-#include "path.h"
 #include "text_file.h"
 #include "untouched.h"
 
@@ -41,10 +40,20 @@ static void judge_whole(Grading *grading)
     }
 }
 
+int grading_is_of(const Grading *grading, int i, int t)
+{
+    return strcmp(grading->result.checks[i].task, grading->session.manifest.tasks[t].id) == 0;
+}
+
+int grading_is_finished(const Grading *grading)
+{
+    return grading->whole.build_log == NULL && grading->whole.trouble == NULL;
+}
+
 char *grading_answer(const Grading *grading, const Task *task)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/variant-whole/lab/%s", grading->session.workshop.folder, task->file);
+    grading_own_path(grading, task->file, path);
     return hole_load(path, task->id);
 }
 
@@ -58,7 +67,7 @@ static char *describe_markers(const Grading *grading)
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
         char path[PATH_MAX];
-        path_make(path, "%s/variant-whole/lab/%s", grading->session.workshop.folder, task->file);
+        grading_own_path(grading, task->file, path);
         char *text = text_file_read(path);
         char *fault = text != NULL ? hole_fault(text, task->id) : NULL;
         if (fault != NULL) {
@@ -129,7 +138,7 @@ static void refuse_unanswered(Grading *grading)
         grading->is_untouched[t] =
             untried != NULL || (answer != NULL && answer_is_untouched(manifest, task, answer));
         for (int i = 0; i < grading->result.n_checks && grading->is_untouched[t]; i++) {
-            if (strcmp(grading->result.checks[i].task, task->id) == 0) {
+            if (grading_is_of(grading, i, t)) {
                 note_unanswered(&grading->result.checks[i], untried);
             }
         }
@@ -197,9 +206,7 @@ static void leave_kernels(Grading *grading)
 // or -1 after one message.
 static int confirm_kernels(Grading *grading)
 {
-    char folder[PATH_MAX];
     Variant *const variants[] = {&grading->kernels};
-    path_make(folder, "%s/variant-%s/lab", grading->session.workshop.folder, grading->whole.name);
     if (!grading->kernels.has_only_kernels || !kernels_have_points(grading)) {
         return 0;
     }
@@ -208,8 +215,7 @@ static int confirm_kernels(Grading *grading)
         leave_kernels(grading);
         return 0;
     }
-    grading->kernels.is_again = grading->whole.is_endless;
-    if (session_take_kernels(&grading->session, folder, &grading->kernels) != 0 ||
+    if (session_take_kernels(&grading->session, &grading->whole, &grading->kernels) != 0 ||
         session_run(&grading->session, variants, 1) != 0) {
         return -1;
     }

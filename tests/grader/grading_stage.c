@@ -2,6 +2,7 @@
 // session_stage.c.
 #include "grading.h"
 
+#include "path.h"
 #include "stands_out.h"
 
 #include <stdlib.h>
@@ -21,12 +22,21 @@ static void add_notes(Grading *grading, const char *submission, const char *fold
     }
 }
 
-int grading_stage(Grading *grading, const char *submission, const char *folder)
+void grading_own_path(const Grading *grading, const char *file, char path[PATH_MAX])
+{
+    // That of the whole, also where something else has run in its place.
+    path_make(path, "%s/variant-whole/lab%s%s", grading->session.workshop.folder,
+              file[0] != '\0' ? "/" : "", file);
+}
+
+int grading_stage(Grading *grading, const char *submission)
 {
     StagedFiles staged;
-    if (session_stage(&grading->session, submission, folder, &staged) != 0) {
+    char folder[PATH_MAX];
+    if (session_stage(&grading->session, submission, &grading->whole, &staged) != 0) {
         return -1;
     }
+    grading_own_path(grading, "", folder);
     grading->result.has_nothing = staged.has_nothing;
     memcpy(grading->is_replaced, staged.is_replaced, sizeof grading->is_replaced);
     result_add_stage(&grading->result, "Staging", staged.is_complete ? CHECK_PASSED : CHECK_FAILED,

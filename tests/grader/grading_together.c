@@ -1,11 +1,12 @@
 // Letting all answers run together without what stands beside them (see grading.h).
 //
-// Called by grading_alone.c where each answer is right alone, and the whole is not: what is left is
-// a macro that reaches another task's lines, or what was changed outside of the marked ones.
-#include "alone.h"
+// Called by grade.c where the student's files do not compile, and by grading_alone.c where each
+// answer is right alone, and the whole is not: what is left is a macro that reaches another task's
+// lines, or what was changed outside of the marked ones. Read next: grading_macros.c.
 #include "grading.h"
+
+#include "holes.h"
 #include "message.h"
-#include "path.h"
 #include "skeleton.h"
 #include "source_words.h"
 #include "text_file.h"
@@ -13,95 +14,113 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The names of macros, each once.
-enum { MAX_LISTED = 8, MAX_MACROS = 64 };
-typedef struct Macros {
-    char names[MAX_MACROS][SOURCE_WORD_BYTES];
-    int n;
-} Macros;
-
-// Add those that a source defines, up to n_most in all. Takes the source over; NULL has none.
-static void note_macros(Macros *macros, char *source, int n_most)
+// An answer, and behind it the end of each macro that it defines: in another task's lines it would
+// change what stands there. Takes the answer over; NULL stays NULL, and is all without memory.
+static char *seal(char *answer, int *is_sealed)
 {
-    SourceReader reader = source_reader(source != NULL ? source : "");
-    SourceWord word = source_next_macro(&reader);
-    for (; word.kind != SOURCE_END && macros->n < n_most; word = source_next_macro(&reader)) {
-        int i = 0;
-        while (i < macros->n && strcmp(macros->names[i], word.text) != 0) {
-            i++;
+    char *sealed = NULL;
+    size_t n_bytes;
+    FILE *stream = answer != NULL ? open_memstream(&sealed, &n_bytes) : NULL;
+    if (stream != NULL) {
+        SourceReader reader = source_reader(answer);
+        fputs(answer, stream);
+        for (SourceWord word = source_next_macro(&reader); word.kind != SOURCE_END;
+             word = source_next_macro(&reader)) {
+            fprintf(stream, "#undef %s\n", word.text);
+            *is_sealed = 1;
         }
-        if (i == macros->n) {
-            strcpy(macros->names[macros->n++], word.text);
-        }
-    }
-    free(source);
-}
-
-// Add those of the files as they are handed out.
-static void note_given(Macros *macros, const Manifest *manifest)
-{
-    for (int i = 0; i < manifest->n_files; i++) {
-        note_macros(macros, skeleton_read(manifest, manifest->files[i]), MAX_MACROS - MAX_LISTED);
-    }
-}
-
-// Add those of the student's own files.
-static void note_own(Macros *macros, const Grading *grading, int n_most)
-{
-    const Manifest *manifest = &grading->session.manifest;
-    for (int i = 0; i < manifest->n_files; i++) {
-        char path[PATH_MAX];
-        path_make(path, "%s/variant-whole/lab/%s", grading->session.workshop.folder,
-                  manifest->files[i]);
-        note_macros(macros, text_file_read(path), n_most);
-    }
-}
-
-// The macros of the student's own files that those which are handed out do not define: "r, x"; ""
-// for none; of many the first. Owned by the caller.
-static char *list_macros(const Grading *grading)
-{
-    Macros macros = {.n = 0};
-    note_given(&macros, &grading->session.manifest);
-    const int n_given = macros.n;
-    note_own(&macros, grading, n_given + MAX_LISTED);
-    char *list = message_new("%s", "");
-    for (int i = n_given; i < macros.n; i++) {
-        char *longer = message_new("%s%s%s", list, i > n_given ? ", " : "", macros.names[i]);
-        free(list);
-        list = longer;
-    }
-    return list;
-}
-
-char *grading_lacked_macro(const Grading *grading, int t)
-{
-    const Manifest *manifest = &grading->session.manifest;
-    char *answer = grading_answer(grading, &manifest->tasks[t]), *lacked = NULL;
-    if (answer == NULL) {
-        return NULL;
-    }
-    Macros macros = {.n = 0};
-    note_given(&macros, manifest);
-    note_macros(&macros, message_new("%s", answer), MAX_MACROS - MAX_LISTED);
-    const int n_had = macros.n;
-    note_own(&macros, grading, MAX_MACROS);
-    SourceReader reader = source_reader(answer);
-    for (SourceWord word = source_next(&reader); word.kind != SOURCE_END && lacked == NULL;
-         word = source_next(&reader)) {
-        for (int i = n_had; i < macros.n && lacked == NULL; i++) {
-            lacked = source_is(&word, SOURCE_NAME, macros.names[i])
-                         ? message_new("%s", macros.names[i])
-                         : NULL;
-        }
+        fclose(stream);
     }
     free(answer);
-    return lacked;
+    return sealed;
 }
+
+// One of the lab's files as it is handed out, with all answers of the student's file in it that can
+// be put in. NULL after one message.
+static char *answers_text(const Manifest *manifest, const char *file, const char *own_path,
+                          int seals, int *is_sealed)
+{
+    char *text = skeleton_read(manifest, file);
+    for (int t = 0; text != NULL && t < manifest->n_tasks; t++) {
+        const Task *task = &manifest->tasks[t];
+        char *answer = strcmp(task->file, file) == 0 ? hole_load(own_path, task->id) : NULL;
+        answer = seals ? seal(answer, is_sealed) : answer;
+        char *filled = answer != NULL ? hole_fill(text, task->id, answer) : NULL;
+        if (filled != NULL) {
+            free(text);
+            text = filled;
+        }
+        free(answer);
+    }
+    return text;
+}
+
+// Make a variant of all answers together, with what stands beside the marked lines left out: the
+// files as they are handed out, with what is between the student's markers. Sets is_changed where
+// the student's files are other than that, and is_sealed where a macro was ended. Returns 0, or -1
+// after one message.
+//   seals   does a macro end with the answer that defines it?
+static int answers_fill(Grading *grading, const char *name, int seals, Variant *variant)
+{
+    const Manifest *manifest = &grading->session.manifest;
+    int result = variant_open(&grading->session.workshop, name, variant);
+    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
+        char path[PATH_MAX];
+        grading_own_path(grading, manifest->files[i], path);
+        char *own_text = text_file_read(path);
+        char *text = answers_text(manifest, manifest->files[i], path, seals, &variant->is_sealed);
+        variant->is_changed |= text != NULL && own_text != NULL && strcmp(text, own_text) != 0;
+        result = variant_put(variant, manifest->files[i], text);
+        free(own_text);
+    }
+    return result;
+}
+
+// ---- In the place of the whole ------------------------------------------------------------------
+
+// Run all answers together in the place of the whole, if they compile.
+//   seals, is_sealed   see answers_fill()
+// Returns 0, or -1 after one message.
+static int take_answers(Grading *grading, int seals, int *is_sealed)
+{
+    Variant answers;
+    Variant *const variants[] = {&answers};
+    if (answers_fill(grading, "answers", seals, &answers) != 0 ||
+        session_run(&grading->session, variants, 1) != 0) {
+        variant_free(&answers);
+        return -1;
+    }
+    *is_sealed = answers.is_sealed;
+    if (answers.build_log == NULL) {
+        grading->build_log =
+            message_new("%s\nWhat stands between the markers compiles. The rest of these files was "
+                        "replaced by what is handed out, so that it could be judged.",
+                        grading->whole.build_log);
+        variant_free(&grading->whole);
+        grading->whole = answers;
+    } else {
+        variant_free(&answers);
+    }
+    return 0;
+}
+
+int grading_retry(Grading *grading)
+{
+    int is_sealed = 0, result = 0;
+    if (grading->whole.build_log != NULL) {
+        result = take_answers(grading, 1, &is_sealed);
+    }
+    if (result == 0 && grading->whole.build_log != NULL && is_sealed) {
+        result = take_answers(grading, 0, &is_sealed);
+    }
+    return result;
+}
+
+// ---- Beside the whole ---------------------------------------------------------------------------
 
 static void tell(Grading *grading)
 {
-    char *macros = list_macros(grading);
+    char *macros = grading_own_macros(grading);
     char *message = message_new(
         "your answers pass more checks in the files as they are handed out than in yours. What is "
         "outside the marked lines, or a macro, changes what other lines do%s%s%s. They are judged "
@@ -130,12 +149,9 @@ static int note_passes(Grading *grading, const Variant *together)
 
 int grading_try_together(Grading *grading)
 {
-    char folder[PATH_MAX];
     Variant together = {0};
     Variant *const variants[] = {&together};
-    path_make(folder, "%s/variant-whole/lab", grading->session.workshop.folder);
-    int result = answers_fill(&grading->session, "together", folder, 1, &together);
-    together.is_again = grading->whole.is_endless;
+    int result = answers_fill(grading, "together", 1, &together);
     if (result == 0 && together.is_changed) {
         result = session_run(&grading->session, variants, 1);
     }

@@ -18,18 +18,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-int session_write(const char *folder, const char *name, const char *text)
-{
-    char path[PATH_MAX];
-    path_make(path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    if (file == NULL || fputs(text, file) == EOF || fclose(file) != 0 || chmod(path, 0644) != 0) {
-        fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
-        return -1;
-    }
-    return 0;
-}
-
 // One of the solution's files, with the answers to its tasks in their holes. NULL after one
 // message.
 static char *solution_text(const Session *session, const char *name, const HoleAnswer answers[],
@@ -55,14 +43,11 @@ static char *solution_text(const Session *session, const char *name, const HoleA
 int session_fill(const Session *session, const char *name, const HoleAnswer answers[], int n,
                  Variant *variant)
 {
-    char folder[PATH_MAX];
-    int result = variant_open(&session->workshop, name, variant, folder);
+    int result = variant_open(&session->workshop, name, variant);
     variant->task = n == 1 ? answers[0].task->id : NULL;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
-        char *text = solution_text(session, file, answers, n);
-        result = text == NULL ? -1 : session_write(folder, file, text);
-        free(text);
+        result = variant_put(variant, file, solution_text(session, file, answers, n));
     }
     return result;
 }
@@ -72,14 +57,12 @@ int session_fill(const Session *session, const char *name, const HoleAnswer answ
 static int open_handed_out(const Session *session, const char *name, int has_kernels,
                            Variant *variant)
 {
-    char path[PATH_MAX];
-    int result = variant_open(&session->workshop, name, variant, path);
-    for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
-        const char *file = session->manifest.files[i];
-        if (has_kernels || manifest_is_host_file(file)) {
-            char *text = skeleton_read(&session->manifest, file);
-            result = text == NULL ? -1 : session_write(path, file, text);
-            free(text);
+    const Manifest *manifest = &session->manifest;
+    int result = variant_open(&session->workshop, name, variant);
+    for (int i = 0; result == 0 && i < manifest->n_files; i++) {
+        if (has_kernels || manifest_is_host_file(manifest->files[i])) {
+            result = variant_put(variant, manifest->files[i],
+                                 skeleton_read(manifest, manifest->files[i]));
         }
     }
     return result;
@@ -92,18 +75,15 @@ int session_open_kernels(const Session *session, const char *name, Variant *vari
     return result;
 }
 
-int session_take_kernels(const Session *session, const char *folder, const Variant *variant)
+int session_take_kernels(const Session *session, const Variant *from, const Variant *variant)
 {
-    char path[PATH_MAX], own[PATH_MAX];
     int result = 0;
-    path_make(path, "%s/variant-%s/lab", session->workshop.folder, variant->name);
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
         if (!manifest_is_host_file(file)) {
-            path_make(own, "%s/%s", folder, file);
-            char *text = text_file_read(own);
-            result = text == NULL ? -1 : session_write(path, file, text);
-            free(text);
+            char path[PATH_MAX];
+            variant_file(from, file, path);
+            result = variant_put(variant, file, text_file_read(path));
         }
     }
     return result;
@@ -218,7 +198,7 @@ int session_run_apart(Session *session, Variant *const variants[], int n)
     }
     for (int i = 0; result == 0 && i < n; i++) {
         if (variants[i]->build_log != NULL || variants[i]->trouble != NULL) {
-            result = variant_reset(&session->workshop, variants[i]);
+            result = variant_reset(variants[i]);
             result = result == 0 ? session_run(session, &variants[i], 1) : -1;
         }
     }
@@ -234,6 +214,11 @@ static JudgeProcess *judge_of_job(Session *session, int k)
 static Answers answers_to(const Variant *variant, int k)
 {
     return (Answers){variant->number, k == 0 ? &variant->answers : &variant->further[k - 1]};
+}
+
+Answers variant_answers(const Variant *variant)
+{
+    return answers_to(variant, 0);
 }
 
 // The solution's answers to a judge's job must pass; then its pictures are what is compared with.

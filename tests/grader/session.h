@@ -72,13 +72,8 @@ int session_fill(const Session *session, const char *name, const HoleAnswer answ
 // yet. Returns 0, or -1 after one message.
 int session_open_kernels(const Session *session, const char *name, Variant *variant);
 
-// Put the kernels into it that were handed in.
-//   folder   what was handed in
-// Returns 0, or -1 after one message.
-int session_take_kernels(const Session *session, const char *folder, const Variant *variant);
-
-// Put a text into a variant's folder as file `name`. Returns 0, or -1 after one message.
-int session_write(const char *folder, const char *name, const char *text);
+// Put the kernels of another variant into it. Returns 0, or -1 after one message.
+int session_take_kernels(const Session *session, const Variant *from, const Variant *variant);
 
 // What was staged of a submission.
 typedef struct StagedFiles {
@@ -89,9 +84,9 @@ typedef struct StagedFiles {
     char *said;  // to the student, or ""; it may quote the submission. Owned by the caller
 } StagedFiles;
 
-// Copy what was handed in to folder `folder`, with the file as it is handed out in the place of
-// each that cannot be used, unless no file can. Returns 0, or -1 after one message.
-int session_stage(const Session *session, const char *submission, const char *folder,
+// Make a variant of what was handed in, with the file as it is handed out in the place of each that
+// cannot be used, unless no file can. Returns 0, or -1 after one message.
+int session_stage(const Session *session, const char *submission, Variant *variant,
                   StagedFiles *staged);
 
 // The line at which a variant crashed, and its task: see variant_find_line().
@@ -99,6 +94,9 @@ char *session_find_line(Session *session, const Variant *variant, const char **t
 
 // The figure of a variant's race: see variant_race().
 double session_race(Session *session, const Variant *variant);
+
+// What a variant that has run answered to the session's job.
+Answers variant_answers(const Variant *variant);
 
 // Judge check number i by what a variant that has run did in job number k, and note points, status
 // and message. Job 0 is the session's own, those behind it are of the seeds that follow.

@@ -102,7 +102,7 @@ static int lines_check(const Memcheck *memcheck)
     int result = 0;
     for (int i = 0; i < manifest->n_files; i++) {
         char path[PATH_MAX];
-        path_make(path, "%s/%s", memcheck->folder, manifest->files[i]);
+        variant_file(&memcheck->whole, manifest->files[i], path);
         char *text = text_file_read(path);
         const int line = text != NULL ? renumbering_line(text) : 0;
         if (line > 0) {
@@ -140,7 +140,7 @@ static void untouched_print(const Memcheck *memcheck)
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *task = &manifest->tasks[t];
         char path[PATH_MAX];
-        path_make(path, "%s/%s", memcheck->folder, task->file);
+        variant_file(&memcheck->whole, task->file, path);
         char *answer = hole_load(path, task->id);
         if (answer != NULL && answer_is_untouched(manifest, task, answer)) {
             printf("%s%s",
@@ -168,12 +168,11 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
 {
     Session *session = &memcheck->session;
     if (session_open(session, settings) != 0 || jobs_make(session) != 0 ||
-        libraries_copy(session) != 0 ||
-        variant_open(&session->workshop, "whole", &memcheck->whole, memcheck->folder) != 0) {
+        libraries_copy(session) != 0) {
         return EXIT_FAULT;
     }
     StagedFiles staged;
-    if (session_stage(session, settings->submission, memcheck->folder, &staged) != 0) {
+    if (session_stage(session, settings->submission, &memcheck->whole, &staged) != 0) {
         return EXIT_FAULT;
     }
     staged_print(&staged);

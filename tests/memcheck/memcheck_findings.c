@@ -4,7 +4,6 @@
 #include "clean_text.h"
 #include "crash_line.h"
 #include "message.h"
-#include "path.h"
 #include "text_file.h"
 
 #include <stdlib.h>
@@ -17,7 +16,7 @@ static int own_place_print(const Memcheck *memcheck, const Finding *finding)
 {
     char path[PATH_MAX];
     size_t length = 0;
-    path_make(path, "%s/%s", memcheck->folder, finding->file);
+    variant_file(&memcheck->whole, finding->file, path);
     char *text = text_file_read(path);
     const char *line = text != NULL ? text_line(text, finding->line, &length) : NULL;
     if (line != NULL) {

@@ -95,8 +95,7 @@ static const char script[] =
 static void folder_path(const Memcheck *memcheck, const Pass *pass, const char *name,
                         char path[PATH_MAX])
 {
-    path_make(path, "%s/variant-%s/%s-%s", memcheck->session.workshop.folder, memcheck->whole.name,
-              name, pass->sanitizer);
+    path_make(path, "%s/%s-%s", memcheck->whole.folder, name, pass->sanitizer);
 }
 
 // Make it, empty. Returns 0, or -1 after one message.
@@ -114,9 +113,10 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
 {
     const Workshop *workshop = &memcheck->session.workshop;
     const Manifest *manifest = &memcheck->session.manifest;
-    char tree[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX], inside[PATH_MAX],
-        variable[64];
+    char tree[PATH_MAX], lab[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX],
+        inside[PATH_MAX], variable[64];
     path_make(tree, "%s/tree", workshop->folder);
+    path_make(lab, "%s/lab", memcheck->whole.folder);
     folder_path(memcheck, pass, "build", build);
     folder_path(memcheck, pass, "out", out);
     if (folder_new(build) != 0 || folder_new(out) != 0) {
@@ -141,7 +141,7 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
         .environment = environment,
         .folder = "/work",
         .mounts = {{tree, "/work", 0},
-                   {memcheck->folder, inside, 0},
+                   {lab, inside, 0},
                    {build, "/work/build", 1},
                    {out, "/work/out", 1},
                    {job, "/work/job", 0}},

@@ -13,8 +13,7 @@
 typedef struct Memcheck {
     Session session;
     Variant whole;
-    char folder[PATH_MAX];  // of the submission's files
-    int has_trouble;        // it did not run to its end
+    int has_trouble;  // it did not run to its end
     int has_finding;
 } Memcheck;
 

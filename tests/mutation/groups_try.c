@@ -162,6 +162,11 @@ static int judge_group(Session *session, const Group *group)
     return counts;
 }
 
+static int alone_passes(Session *session, int i, const Variant *alone)
+{
+    return judge_passes_alone(&session->judge, variant_answers(alone), i);
+}
+
 // Note where an answer that was judged as it should be in the solution was not so alone.
 static void judge_alone(Session *session, KnownAnswer *answer, const Variant *alone)
 {

@@ -22,9 +22,11 @@ typedef struct Allowance {
     SandboxTime solution[N_STEPS];  // what it used, where that is known
     int is_known[N_STEPS];
     struct Variant *yardstick;  // what runs in the solution's place; NULL: nothing, or it has run
-    int is_for_one;   // all that runs is one submission's: together it may use allowance_total()
-    double spent;     // of that, seconds of processor time and asleep
-    double deadline;  // when it must be graded, as seconds_now() has it; 0 for never
+    int is_for_one;  // all that runs is one submission's: together it may use allowance_total()
+    int is_endless;  // the whole met an endless loop
+    const char *endless_task;  // in whose answer; NULL: not known
+    double spent;              // of that, seconds of processor time and asleep
+    double deadline;           // when it must be graded, as seconds_now() has it; 0 for never
 } Allowance;
 
 // What a submission may use in a step. As long as it is not known what the solution needs, that is

@@ -14,19 +14,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The folder of a variant that its compiler or its probe writes to.
-static void step_folder(const Workshop *workshop, const char *variant, Step step,
-                        char path[PATH_MAX])
+// The folder that its compiler or its probe writes to.
+static void step_folder(const Variant *variant, Step step, char path[PATH_MAX])
 {
-    path_make(path, "%s/variant-%s/%s", workshop->folder, variant,
-              step == STEP_COMPILING ? "build" : "out");
+    path_make(path, "%s/%s", variant->folder, step == STEP_COMPILING ? "build" : "out");
 }
 
-int step_folder_remove(const Workshop *workshop, const char *variant, Step step)
+// Remove a folder that may not be there. Returns 0, or -1 after one message.
+static int remove_folder(const char *path)
 {
-    char path[PATH_MAX];
-    step_folder(workshop, variant, step, path);
-    limited_folder_unmount(path);
     if (folder_remove(path) != 0 && errno != ENOENT) {
         fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
         return -1;
@@ -34,22 +30,23 @@ int step_folder_remove(const Workshop *workshop, const char *variant, Step step)
     return 0;
 }
 
-int step_folder_make(const Workshop *workshop, const char *variant, Step step)
+int step_folder_remove(const Variant *variant, Step step)
 {
     char path[PATH_MAX];
-    step_folder(workshop, variant, step, path);
-    if (make_closed_folder(path) != 0) {
+    step_folder(variant, step, path);
+    limited_folder_unmount(path);
+    return remove_folder(path);
+}
+
+int step_folder_make(const Variant *variant, Step step)
+{
+    char path[PATH_MAX];
+    step_folder(variant, step, path);
+    if (step_folder_remove(variant, step) != 0 || make_closed_folder(path) != 0) {
         return -1;
     }
     limited_folder_mount(path, TOTAL_FILE_MB, N_FILES);
     return 0;
-}
-
-int step_clear(const Workshop *workshop, const char *variant, Step step)
-{
-    return step_folder_remove(workshop, variant, step) != 0
-               ? -1
-               : step_folder_make(workshop, variant, step);
 }
 
 // Is the file handed in by students? Then a variant brings its own.
@@ -63,7 +60,7 @@ static int is_handed_in(const Manifest *manifest, const char *name)
     return 0;
 }
 
-static int copy_given_files(const Manifest *manifest, const char *folder)
+static int copy_given_files(const Manifest *manifest, const Variant *variant)
 {
     char path[PATH_MAX];
     glob_t found;
@@ -76,7 +73,7 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *name = strrchr(found.gl_pathv[i], '/') + 1;
         if (!is_handed_in(manifest, name) && strcmp(name, "main.c") != 0) {
-            path_make(path, "%s/%s", folder, name);
+            variant_file(variant, name, path);
             result = copy_file(found.gl_pathv[i], path);
         }
     }
@@ -84,44 +81,49 @@ static int copy_given_files(const Manifest *manifest, const char *folder)
     return result;
 }
 
-int variant_open(const Workshop *workshop, const char *name, Variant *variant, char path[PATH_MAX])
+int variant_open(const Workshop *workshop, const char *name, Variant *variant)
 {
-    static const char *const folders[] = {"/job", "/lab"};
     static unsigned n_variants;
+    char job[PATH_MAX], lab[PATH_MAX];
     *variant = (Variant){.number = ++n_variants};
     snprintf(variant->name, sizeof variant->name, "%s", name);
+    path_make(variant->folder, "%s/variant-%s", workshop->folder, name);
+    path_make(job, "%s/job", variant->folder);
+    path_make(lab, "%s/lab", variant->folder);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
     // user that is gone, and nobody could overwrite them.
-    path_make(path, "%s/variant-%s", workshop->folder, name);
-    if (step_folder_remove(workshop, name, STEP_COMPILING) != 0 ||
-        step_folder_remove(workshop, name, STEP_RUNNING) != 0) {
-        return -1;
-    }
-    if (folder_remove(path) != 0 && errno != ENOENT) {
-        fprintf(stderr, "grade: %s: cannot be removed: %s\n", path, strerror(errno));
-        return -1;
-    }
-    if (make_folder(path) != 0 || step_folder_make(workshop, name, STEP_COMPILING) != 0 ||
-        step_folder_make(workshop, name, STEP_RUNNING) != 0) {
-        return -1;
-    }
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        path_make(path, "%s/variant-%s%s", workshop->folder, name, folders[i]);
-        if (make_closed_folder(path) != 0) {
-            return -1;
-        }
-    }
-    return copy_given_files(workshop->manifest, path);
+    return step_folder_remove(variant, STEP_COMPILING) != 0 ||
+                   step_folder_remove(variant, STEP_RUNNING) != 0 ||
+                   remove_folder(variant->folder) != 0 || make_folder(variant->folder) != 0 ||
+                   step_folder_make(variant, STEP_COMPILING) != 0 ||
+                   step_folder_make(variant, STEP_RUNNING) != 0 || make_closed_folder(job) != 0 ||
+                   make_closed_folder(lab) != 0
+               ? -1
+               : copy_given_files(workshop->manifest, variant);
 }
 
-int variant_reset(const Workshop *workshop, Variant *variant)
+void variant_file(const Variant *variant, const char *file, char path[PATH_MAX])
+{
+    path_make(path, "%s/lab/%s", variant->folder, file);
+}
+
+int variant_put(const Variant *variant, const char *file, char *text)
+{
+    char path[PATH_MAX];
+    variant_file(variant, file, path);
+    const int result = text != NULL ? write_file(path, text) : -1;
+    free(text);
+    return result;
+}
+
+int variant_reset(Variant *variant)
 {
     Variant fresh = {.number = variant->number, .purpose = variant->purpose};
     memcpy(fresh.name, variant->name, sizeof fresh.name);
+    memcpy(fresh.folder, variant->folder, sizeof fresh.folder);
     variant_free(variant);
     *variant = fresh;
-    return step_clear(workshop, variant->name, STEP_COMPILING) |
-           step_clear(workshop, variant->name, STEP_RUNNING);
+    return step_folder_make(variant, STEP_COMPILING) | step_folder_make(variant, STEP_RUNNING);
 }
 
 void variant_free(Variant *variant)
@@ -138,7 +140,7 @@ void variant_free(Variant *variant)
     *variant = (Variant){0};
 }
 
-void variant_job_path(const Workshop *workshop, const Variant *variant, char path[PATH_MAX])
+void variant_job_path(const Variant *variant, char path[PATH_MAX])
 {
-    path_make(path, "%s/variant-%s/job/job", workshop->folder, variant->name);
+    path_make(path, "%s/job/job", variant->folder);
 }

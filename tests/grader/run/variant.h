@@ -19,24 +19,24 @@ typedef enum VariantPurpose {
 typedef struct Variant {
     VariantPurpose purpose;
     char name[80];
-    char *build_log;   // set when it does not compile; with the student's file and line; owned
-    char *warnings;    // of the compiler, of host files that compile; "" or NULL: none; owned
-    char *trouble;     // set when it compiled and did not run to its end: what happened; owned
-    ProbeNote note;    // and where, as its probe noted it,
-    RunPlace place;    // and in words; all "" when nobody knows
-    int has_crashed;   // by a signal, or so that its probe no longer found its job
-    int is_endless;    // it used up its time, running or asleep
-    char *habits;      // what else there is to say about its run, "" for most; owned
-    char *run_output;  // what it wrote to stdout and stderr; owned
-    unsigned number;   // of its answers: no other variant has the same
-    Sections answers;  // whatever it answered
+    char folder[PATH_MAX];  // in the workshop: in lab/ are its files
+    char *build_log;        // set when it does not compile; with the student's file and line; owned
+    char *warnings;         // of the compiler, of host files that compile; "" or NULL: none; owned
+    char *trouble;          // set when it compiled and did not run to its end: what happened; owned
+    ProbeNote note;         // and where, as its probe noted it,
+    RunPlace place;         // and in words; all "" when nobody knows
+    int has_crashed;        // by a signal, or so that its probe no longer found its job
+    int is_endless;         // it used up its time, running or asleep
+    char *habits;           // what else there is to say about its run, "" for most; owned
+    char *run_output;       // what it wrote to stdout and stderr; owned
+    unsigned number;        // of its answers: no other variant has the same
+    Sections answers;       // whatever it answered
     Sections further[MAX_FURTHER_JOBS];  // and to the jobs of further seeds
     SandboxRun *run;                     // while it runs
     SandboxTime allowed;                 // what it may use then
-    int is_again;      // it may have the endless loop that the whole met: see allowance_of()
-    int was_starved;   // in this step the machine had no time for it once
-    int is_left_out;   // no time was left to begin with it
-    int is_compiled;   // as far as that goes: build_log is set, or it can run
+    int was_starved;                     // in this step the machine had no time for it once
+    int is_left_out;                     // no time was left to begin with it
+    int is_compiled;                     // as far as that goes: build_log is set, or it can run
     int is_second;     // its kernels are compiled by SECOND_COMPILER, after a run that ended early
     const char *task;  // whose answer stands in our solution; NULL: a submission, or several
     int is_changed;  // tried alone in files that differ from those handed out in more than answers
@@ -47,15 +47,22 @@ typedef struct Variant {
 } Variant;
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
-// a student hands in, there next. `path` receives the folder. Returns 0, or -1 after one message.
-int variant_open(const Workshop *workshop, const char *name, Variant *variant, char path[PATH_MAX]);
+// a student hands in, there next. Returns 0, or -1 after one message.
+int variant_open(const Workshop *workshop, const char *name, Variant *variant);
+
+// Put one of the lab's own files there. Takes the text over; NULL, of which something was said
+// already, is a failure, too. Returns 0, or -1 after one message.
+int variant_put(const Variant *variant, const char *file, char *text);
+
+// Its path, there or not.
+void variant_file(const Variant *variant, const char *file, char path[PATH_MAX]);
 
 // Forget what came of a variant of which nothing is judged yet, so that it can be compiled and run
 // anew. Returns 0, or -1 after one message.
-int variant_reset(const Workshop *workshop, Variant *variant);
+int variant_reset(Variant *variant);
 
 // Where the job of a variant that is tried alone is to be written before it runs.
-void variant_job_path(const Workshop *workshop, const Variant *variant, char path[PATH_MAX]);
+void variant_job_path(const Variant *variant, char path[PATH_MAX]);
 
 // Compile n variants side by side, each for as long as is allowed. What is ours must come first:
 // what it uses is noted, and from then on that is what limits the others. One that the machine was

@@ -1,129 +1,20 @@
-// Compiling and running variants side by side, and what the end of each says about it.
+// Compiling and running variants side by side (see variant.h).
+//
+// A step of a variant goes from function to function in one direction: step_begin(), step_start(),
+// any_wait(), step_take(); from there back to step_start() once, if the machine or the driver's
+// compiler may be at fault. Read next: variant_end.c, which says what an end means.
 #include "variant_steps.h"
 
 #include "crash_line.h"
-#include "linker_lines.h"
-#include "message.h"
 #include "path.h"
-#include "probe.h"
 #include "progress.h"
 #include "race.h"
 #include "run_end.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-
-// Answers are pictures of at most 336x240 pixels of 16 bytes, a dozen of them: far below this.
-#define MAX_ANSWER_BYTES ((size_t)FILE_MB << 20)
-
-// Why the compiler came to no end of its own.
-static char *describe_compiler_end(const SandboxResult *result, SandboxTime allowed)
-{
-    if (result->outcome == SANDBOX_TIMED_OUT) {
-        return message_new("the compiler did not finish in time: it used up the %.1f s of "
-                           "processor time that are allowed; too large a program?",
-                           allowed.processor);
-    }
-    char *end = run_end_describe(result, allowed);
-    char *message = message_new("the compiler did not finish: %s", end);
-    free(end);
-    return message;
-}
-
-// What a compiler's end says about the variant.
-static void take_build(Variant *variant, SandboxResult *result, SandboxTime allowed)
-{
-    variant->is_compiled = 1;
-    if (result->outcome != SANDBOX_EXITED) {
-        variant->build_log = describe_compiler_end(result, allowed);
-        return;
-    }
-    linker_lines_shorten(result->output);
-    *(result->exit_status != 0 ? &variant->build_log : &variant->warnings) = result->output;
-    result->output = NULL;
-}
-
-// Had it done nothing yet but build its kernels, so that their compiler may have failed? The
-// student's functions end with any exit status they like: believed is who has none of them behind.
-static int has_only_built(const Workshop *workshop, const Variant *variant)
-{
-    char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out", workshop->folder, variant->name);
-    const ProbeNote note = run_note_load(path);
-    const char *name;
-    size_t place = 0, n_bytes;
-    return manifest_has_kernels(workshop->manifest) &&
-           strncmp(note.name, PROBE_NOTE_BUILD, sizeof note.name) == 0 &&
-           sections_next(&variant->answers, &place, &name, &n_bytes) != NULL &&
-           strncmp(name, PROBE_DEVICE, SECTION_NAME_BYTES) == 0 &&
-           sections_next(&variant->answers, &place, &name, &n_bytes) == NULL;
-}
-
-// Where the probe says it was: nothing of it is shown of an answer alone.
-static void take_place(const Workshop *workshop, Variant *variant)
-{
-    char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out", workshop->folder, variant->name);
-    if (variant->alone == NULL) {
-        variant->note = run_note_load(path);
-        variant->place = run_place_before(&variant->note);
-    }
-}
-
-static void take_further_answers(const Workshop *workshop, Variant *variant)
-{
-    for (int i = 0; i < workshop->n_further_jobs && variant->alone == NULL; i++) {
-        char suffix[16], path[PATH_MAX];
-        workshop_job_suffix(i + 1, suffix);
-        path_make(path, "%s/variant-%s/out/answers%s", workshop->folder, variant->name, suffix);
-        sections_load(path, MAX_ANSWER_BYTES, &variant->further[i]);
-    }
-}
-
-// Has the program damaged memory? A signal says so, or the probe, which no longer finds its job.
-static int has_crashed(const SandboxResult *result)
-{
-    return (result->outcome == SANDBOX_CRASHED && result->signal != SIGXFSZ &&
-            result->signal != SIGKILL) ||
-           (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_FAULT);
-}
-
-// What a probe's end and answers say about the variant.
-static void take_answers(const Workshop *workshop, Variant *variant, SandboxResult *result,
-                         SandboxTime allowed)
-{
-    char path[PATH_MAX];
-    path_make(path, "%s/variant-%s/out/answers", workshop->folder, variant->name);
-    sections_load(path, MAX_ANSWER_BYTES, &variant->answers);
-    take_further_answers(workshop, variant);
-    char *first_output = variant->run_output;  // NULL where there was no other try
-    variant->run_output = strdup(result->output);
-    if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD &&
-        has_only_built(workshop, variant)) {
-        variant->build_log = strdup(variant->run_output);
-        free(first_output);
-        return;
-    }
-    variant->trouble = run_end_of_probe(result, allowed, &variant->answers);
-    if (variant->trouble != NULL && first_output != NULL) {
-        // A driver that knows no second way says so, which is no news.
-        free(variant->run_output);
-        variant->run_output = first_output;
-    } else {
-        free(first_output);
-    }
-    variant->habits = run_habits_describe(result, variant->is_second && variant->trouble == NULL);
-    variant->has_crashed = has_crashed(result);
-    variant->is_endless = result->outcome == SANDBOX_TIMED_OUT || result->outcome == SANDBOX_ASLEEP;
-    if (variant->trouble != NULL) {
-        take_place(workshop, variant);
-    }
-}
-
-// ---- Both steps, side by side ---------------------------------------------------------------
 
 // So many runs of one submission at a time: a grader has two processors for it at most.
 enum { SIDE_BY_SIDE = 2 };
@@ -131,41 +22,45 @@ enum { SIDE_BY_SIDE = 2 };
 // How often is looked whether a run has ended.
 static const struct timespec pause_between_looks = {.tv_nsec = 10 * 1000 * 1000};
 
+// May it have the endless loop that the whole has met? Then less time is enough to see it again.
+// Where that is known to be another task's, it gets the time of any first run.
+static int may_loop_again(const Variant *variant, const Allowance *allowance)
+{
+    const char *task = allowance->endless_task;
+    return allowance->is_endless &&
+           (variant->alone == NULL || task == NULL || strcmp(task, variant->alone) == 0);
+}
+
 // Let a variant use what it may beside n - 1 others, also while it runs.
 static void time_allow(Variant *variant, Step step, const Allowance *allowance, int n)
 {
     variant->allowed = variant->purpose == VARIANT_SOLUTION
                            ? allowance_ours()
-                           : allowance_of(allowance, step, n, variant->is_again);
+                           : allowance_of(allowance, step, n, may_loop_again(variant, allowance));
     if (variant->run != NULL) {
         sandbox_allow(variant->run, variant->allowed);
     }
 }
 
-static int step_start(const Workshop *workshop, Variant *variant, Step step)
+// Start a step, for the first time or, with what is left of the time, once more. Returns 0, or -1
+// after one message.
+static int step_start(const Workshop *workshop, Variant *variant, Step step,
+                      const Allowance *allowance)
 {
+    time_allow(variant, step, allowance, 1);
     variant->run = step_sandbox(workshop, variant, step, variant->allowed);
     return variant->run != NULL ? 0 : -1;
 }
 
-// Start a step once more, with what is left of the time. Returns 0, or -1 after one message.
-static int step_restart(const Workshop *workshop, Variant *variant, Step step,
-                        const Allowance *allowance)
-{
-    time_allow(variant, step, allowance, 1);
-    return step_clear(workshop, variant->name, step) != 0 ? -1
-                                                          : step_start(workshop, variant, step);
-}
-
 // Remove what a run wrote, as soon as it is read, and a program that nobody starts again: the next
 // run, or our own files, may need the room, which may be memory.
-static void step_files_remove(const Workshop *workshop, const Variant *variant)
+static void step_files_remove(const Variant *variant, Step step)
 {
-    if (variant->purpose != VARIANT_CRASH) {
-        step_folder_remove(workshop, variant->name, STEP_RUNNING);
+    if (step == STEP_RUNNING && variant->purpose != VARIANT_CRASH) {
+        step_folder_remove(variant, STEP_RUNNING);
     }
-    if (variant->alone != NULL) {
-        step_folder_remove(workshop, variant->name, STEP_COMPILING);
+    if (step == STEP_RUNNING && variant->alone != NULL) {
+        step_folder_remove(variant, STEP_COMPILING);
     }
 }
 
@@ -210,6 +105,7 @@ static void complain_of(const SandboxResult *result, Step step)
 static int step_take(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance)
 {
     SandboxResult result = sandbox_wait(variant->run);
+    const int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
     variant->run = NULL;
     if (step_is_repeated(workshop, variant, step, &result, allowance)) {
         if (variant->is_second && variant->run_output == NULL) {
@@ -217,25 +113,20 @@ static int step_take(const Workshop *workshop, Variant *variant, Step step, Allo
         } else {
             free(result.output);
         }
-        return step_restart(workshop, variant, step, allowance);
+        return step_folder_make(variant, step) != 0
+                   ? -1
+                   : step_start(workshop, variant, step, allowance);
     }
-    const int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
-    if (failed && variant->purpose >= VARIANT_CRASH) {
-        free(result.output);
-        return -1;
-    }
-    if (failed) {
+    if (failed && variant->purpose < VARIANT_CRASH) {
         complain_of(&result, step);
-    } else if (step == STEP_COMPILING) {
-        take_build(variant, &result, variant->allowed);
-    } else {
-        take_answers(workshop, variant, &result, variant->allowed);
-        step_files_remove(workshop, variant);
-    }
-    if (!failed && variant->purpose == VARIANT_SOLUTION) {
-        allowance_note(allowance, step, result.used);
-    } else if (variant->purpose != VARIANT_SOLUTION) {
-        allowance_charge(allowance, &result);
+    } else if (!failed) {
+        step_end_take(workshop, variant, step, &result);
+        step_files_remove(variant, step);
+        if (variant->purpose == VARIANT_SOLUTION) {
+            allowance_note(allowance, step, result.used);
+        } else {
+            allowance_charge(allowance, &result);
+        }
     }
     free(result.output);
     return failed ? -1 : 0;
@@ -260,8 +151,7 @@ static int step_begin(const Workshop *workshop, Variant *variant, Step step,
         return 0;
     }
     variant->was_starved = 0;
-    time_allow(variant, step, allowance, 1);
-    return step_start(workshop, variant, step);
+    return step_start(workshop, variant, step, allowance);
 }
 
 // Tell what is done: of several, the first.
@@ -362,39 +252,45 @@ int variants_run(const Workshop *workshop, Variant *const variants[], int n, All
                : step_run(workshop, variants, n, STEP_RUNNING, allowance);
 }
 
-// ---- The line of a crash ------------------------------------------------------------------------
+// ---- Once more ----------------------------------------------------------------------------------
+
+// A variant of the same files for another purpose. Returns 0, or -1 after one message.
+static int variant_repeat(const Variant *variant, VariantPurpose purpose, Variant *again)
+{
+    *again = (Variant){.purpose = purpose};
+    memcpy(again->name, variant->name, sizeof again->name);
+    memcpy(again->folder, variant->folder, sizeof again->folder);
+    return step_folder_make(again, STEP_RUNNING);
+}
 
 char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance,
                         const char **task)
 {
-    char out[PATH_MAX], lab[PATH_MAX];
-    Variant checked = {.purpose = VARIANT_CRASH};
+    char out[PATH_MAX], lab[PATH_MAX], *line = NULL;
+    Variant checked;
     Variant *const variants[] = {&checked};
-    memcpy(checked.name, variant->name, sizeof checked.name);
     *task = NULL;
-    if (!workshop->needs_compiler || step_clear(workshop, variant->name, STEP_COMPILING) != 0 ||
-        step_clear(workshop, variant->name, STEP_RUNNING) != 0 ||
+    if (!workshop->needs_compiler || variant_repeat(variant, VARIANT_CRASH, &checked) != 0 ||
+        step_folder_make(&checked, STEP_COMPILING) != 0 ||
         variants_run(workshop, variants, 1, allowance) != 0) {
         return NULL;
     }
-    path_make(out, "%s/variant-%s/out", workshop->folder, variant->name);
-    path_make(lab, "%s/variant-%s/lab", workshop->folder, variant->name);
-    char *line =
-        checked.trouble != NULL ? crash_line_find(out, lab, workshop->manifest, task) : NULL;
-    step_folder_remove(workshop, variant->name, STEP_RUNNING);
+    path_make(out, "%s/out", variant->folder);
+    path_make(lab, "%s/lab", variant->folder);
+    if (checked.trouble != NULL) {
+        line = crash_line_find(out, lab, workshop->manifest, task);
+    }
+    step_folder_remove(variant, STEP_RUNNING);
     variant_free(&checked);
     return line;
 }
 
-// ---- A race -------------------------------------------------------------------------------------
-
 double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance)
 {
     double figure = 0;
-    Variant race = {.purpose = VARIANT_RACE};
+    Variant race;
     Variant *const variants[] = {&race};
-    memcpy(race.name, variant->name, sizeof race.name);
-    if (step_clear(workshop, variant->name, STEP_RUNNING) == 0 &&
+    if (variant_repeat(variant, VARIANT_RACE, &race) == 0 &&
         step_run(workshop, variants, 1, STEP_RUNNING, allowance) == 0 && race.build_log == NULL &&
         race.trouble == NULL) {
         figure = race_judge(&race.answers);

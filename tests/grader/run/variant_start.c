@@ -16,11 +16,10 @@ static void mount_variant(const Workshop *workshop, const Variant *variant, int 
                           SandboxCommand *command)
 {
     path_make(paths[0], "%s/tree", workshop->folder);
-    path_make(paths[1], "%s/variant-%s/lab", workshop->folder, variant->name);
-    path_make(paths[2], "%s/variant-%s/build", workshop->folder, variant->name);
-    path_make(paths[3], "%s/variant-%s/out", workshop->folder, variant->name);
-    path_make(paths[4], variant->alone ? "%1$s/variant-%2$s/job" : "%1$s/job", workshop->folder,
-              variant->name);
+    path_make(paths[1], "%s/lab", variant->folder);
+    path_make(paths[2], "%s/build", variant->folder);
+    path_make(paths[3], "%s/out", variant->folder);
+    path_make(paths[4], "%s/job", variant->alone ? variant->folder : workshop->folder);
     path_make(lab_inside, "/work/labs/%s", workshop->manifest->lab);
     const SandboxMount mounts[] = {
         {paths[0], "/work", 0},
