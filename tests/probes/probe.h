@@ -25,7 +25,7 @@
 // The last section of complete answers: a student's exit(0) leaves none.
 #define PROBE_END "end"
 
-// Exit statuses of a probe besides EXIT_SUCCESS: what the grader makes of them is in variant_run.c.
+// Exit statuses of a probe besides EXIT_SUCCESS: what the grader makes of them is in variant_end.c.
 enum {
     PROBE_EXIT_NO_BUILD = 10,  // the kernel did not compile; the log is on stderr
     PROBE_EXIT_FAULT = 11,     // job or device missing: the machinery's fault

@@ -1,5 +1,5 @@
 #!/bin/sh
-# memcheck: the solutions are clean under it, and each fault in tests/memcheck/faults/* is found at its
+# memcheck: the solutions are clean under it, and each fault in tests/memcheck/faults.txt is found at its
 # line.
 #
 #     sh tests/suites/memcheck.sh      from the top folder, after `make tests`
@@ -27,35 +27,37 @@ memchecks() {
     [ "$status" -eq "$wanted" ]
 }
 
-# field FILE KEY: the rest of the header line "// KEY: ..." of a fault.
+# field KEY: the rest of the line "KEY: ..." of the fault.
 field() {
-    sed -n "s|^// $2: ||p" "$1"
+    sed -n "s|^$1: ||p" "$scratch/fault"
 }
 
 # finds FAULT: put it into the solution; is it told at the line marked HERE?
 finds() {
-    lab=$(field "$1" lab)
-    task=$(field "$1" task)
+    awk -v name="$1:" '/^fault / { is_it = $2 == name } is_it' tests/memcheck/faults.txt >"$scratch/fault"
+    lab=$(cd solutions && echo "${1%%-*}"-*)
+    task=$(field task)
+    sed -n '/^ /p' "$scratch/fault" >"$scratch/answer"
     rm -rf "$scratch/submission"
     cp -r "solutions/$lab" "$scratch/submission"
     file=$(grep -l "// TASK $task:" "$scratch/submission"/*.c*)
-    "$build/tools/holes" fill "$file" "$task" "$1" >"$scratch/filled" || return 1
+    "$build/tools/holes" fill "$file" "$task" "$scratch/answer" >"$scratch/filled" || return 1
     cp "$scratch/filled" "$file"
-    at=$(field "$1" at)
+    at=$(field at)
     line=$(grep -n -F "${at:-// HERE}" "$file" | cut -d : -f 1)
     memchecks 1 "$lab" "$scratch/submission" &&
-        grep -q -F "$(basename "$file"):$line: $(field "$1" says)" "$scratch/said"
+        grep -q -F "$(basename "$file"):$line: $(field says)" "$scratch/said"
 }
 
 for lab in $(heart 01-naive-2d "$(cd solutions && printf '%s\n' *)"); do
     check "$lab: the solution is clean" memchecks 0 "$lab" "solutions/$lab"
 done
-for fault in $(heart tests/memcheck/faults/01-one-circle-too-many.cl tests/memcheck/faults/*); do
-    check "$(basename "$fault"): found at its line" finds "$fault"
+for fault in $(heart 01-one-circle-too-many "$(sed -n 's/^fault \([^:]*\):.*/\1/p' tests/memcheck/faults.txt)"); do
+    check "$fault: found at its line" finds "$fault"
 done
 
 # The first fault is told, and nothing that follows from it.
-check "a kernel that reads on and on is found" finds tests/memcheck/faults/03-child-beyond.cl
+check "a kernel that reads on and on is found" finds 03-child-beyond
 check "the task is named" grep -qx "    in the answer to getContainingChild" "$scratch/said"
 check "and what to do" grep -q "Compare the index with the number of entries" "$scratch/said"
 ok $(($(grep -c '^[A-Za-z_0-9.]*:[0-9]*: ' "$scratch/said") != 1)) "one finding is enough" "$(cat "$scratch/said")"
@@ -145,7 +147,7 @@ check "which is said, too" grep -q "^It did not run to its end: it ended by itse
 
 # What keeps the sanitizers from looking is named.
 unchecked='__attribute__((no_sanitize("address")))'
-finds tests/memcheck/faults/01-one-circle-too-many.cl >"$scratch/said" 2>&1
+finds 01-one-circle-too-many >"$scratch/said" 2>&1
 sed -i "1i #pragma clang attribute push($unchecked, apply_to = function)" "$scratch/submission/implicit2DRenderer.cl"
 check "a kernel that is not to be checked" memchecks 1 01 "$scratch/submission"
 check "is named with its line" grep -q 'implicit2DRenderer.cl:1:.*poisoned.*no_sanitize' "$scratch/said"

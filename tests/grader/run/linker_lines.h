@@ -1,6 +1,6 @@
 // What the linker says, in the lab's own paths: it knows files by where they were compiled.
 //
-// Used by variant_run.c.
+// Used by variant_end.c.
 #ifndef GRADER_LINKER_LINES_H
 #define GRADER_LINKER_LINES_H
 

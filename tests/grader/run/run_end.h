@@ -1,6 +1,6 @@
 // What the end of a sandboxed run means for the student, in words, and what a run may use.
 //
-// Used by variant_run.c.
+// Used by variant_end.c.
 #ifndef GRADER_RUN_END_H
 #define GRADER_RUN_END_H
 

@@ -2,7 +2,7 @@
 //
 // The probe notes that in a file (probes/note.h), which the student's code can write as well. The
 // lab's judge says what a note about a step of its lab means (judge_place()).
-// Used by variant_run.c and session.c.
+// Used by variant_end.c and session.c.
 #ifndef GRADER_RUN_PLACE_H
 #define GRADER_RUN_PLACE_H
 

@@ -1,16 +1,30 @@
-// Landlock's three system calls (see landlock.h). Read next: sandbox_walls.c, what is allowed.
+// Which files a command behind Landlock may open (see landlock.h): what is named here.
 //
 // Debian 12's headers are older than the kernels that the grader meets, so the structures and
 // numbers stand here as the kernel has them (include/uapi/linux/landlock.h, version 6).
 #include "landlock.h"
 
+#include "path.h"
+#include "sandbox_system.h"
+
 #include <errno.h>
 #include <fcntl.h>
+#include <glob.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+// ---- The kernel's three calls -------------------------------------------------------------------
+
+typedef enum LandlockAccess {
+    LANDLOCK_LIST,    // list folders, open no file
+    LANDLOCK_READ,    // and read and execute
+    LANDLOCK_WRITE,   // and make, change, move and remove files
+    LANDLOCK_DEVICE,  // read, write and control a device that is there
+} LandlockAccess;
 
 // linux/landlock.h: struct landlock_ruleset_attr and struct landlock_path_beneath_attr
 typedef struct Ruleset {
@@ -59,7 +73,11 @@ static uint64_t accesses_known(void)
            (version >= 5 ? FS_IOCTL_DEV : 0);
 }
 
-int landlock_open(void)
+// A new set of rules, closed on exec, that allows nothing yet: no file, and where the kernel knows
+// of them no TCP port, no signal and no abstract socket of those outside. -1 with errno set when it
+// cannot be made; ENOSYS where Landlock is older than LANDLOCK_OLDEST.
+enum { LANDLOCK_OLDEST = 2 };  // Linux 5.19: files may be moved from folder to folder, as PoCL does
+static int rules_new(void)
 {
     int version = landlock_version();
     if (version < LANDLOCK_OLDEST) {
@@ -75,7 +93,9 @@ int landlock_open(void)
     return (int)syscall(SYS_landlock_create_ruleset, &all, sizeof all, 0);
 }
 
-int landlock_allow(int rules, const char *path, LandlockAccess access)
+// Allow access to a file or to all below a folder; what does not exist is left out. Returns 0, or
+// -1 with errno set.
+static int allow(int rules, const char *path, LandlockAccess access)
 {
     static const uint64_t accesses[] = {
         [LANDLOCK_LIST] = FS_READ_DIR,
@@ -103,7 +123,88 @@ int landlock_allow(int rules, const char *path, LandlockAccess access)
     return result;
 }
 
-int landlock_enter(int rules)
+// ---- What is allowed ----------------------------------------------------------------------------
+
+static int list_allow(int rules, const char *const *paths, size_t n, LandlockAccess access)
 {
+    for (size_t i = 0; i < n; i++) {
+        if (allow(rules, paths[i], access) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int devices_allow(int rules)
+{
+    static const char *const plain[] = {"/dev/null", "/dev/zero", "/dev/full", "/dev/random",
+                                        "/dev/urandom"};
+    int result = list_allow(rules, plain, SYSTEM_COUNT(plain), LANDLOCK_DEVICE);
+    // NVIDIA's driver looks through all that is in /dev, and reads of the machine what follows.
+    static const char *const for_drivers[] = {"/proc/devices", "/proc/driver", "/proc/stat"};
+    if (result == 0 && has_graphics_card()) {
+        result = list_allow(rules, for_drivers, SYSTEM_COUNT(for_drivers), LANDLOCK_READ);
+    }
+    if (result == 0 && has_graphics_card()) {
+        result = allow(rules, "/dev", LANDLOCK_LIST);
+    }
+    for (size_t i = 0; result == 0 && i < SYSTEM_COUNT(system_devices); i++) {
+        glob_t found = {0};
+        if (glob(system_devices[i], 0, NULL, &found) == 0) {
+            result = list_allow(rules, (const char *const *)found.gl_pathv, found.gl_pathc,
+                                LANDLOCK_DEVICE);
+        }
+        globfree(&found);
+    }
+    return result;
+}
+
+static int mounts_allow(int rules, const SandboxCommand *command)
+{
+    int result = 0;
+    for (int i = 0; result == 0 && i < command->n_mounts; i++) {
+        const SandboxMount *mount = &command->mounts[i];
+        result = allow(rules, mount->outside, mount->writable ? LANDLOCK_WRITE : LANDLOCK_READ);
+    }
+    return result;
+}
+
+int landlock_rules_enter(const Walls *walls)
+{
+    // Of /proc what PoCL and the libraries of C and of the address sanitizer read: of the machine,
+    // and of this process, whose number stays the same when it becomes the command. What the
+    // command starts has no part of /proc of its own. Not the whole folder of the process, in which
+    // the machine's network, mounts and control groups stand, too.
+    static const char *const paths[] = {"/usr",
+                                        "/proc/cpuinfo",
+                                        "/proc/meminfo",
+                                        "/proc/version",
+                                        "/proc/filesystems",
+                                        "/proc/sys/kernel/osrelease",
+                                        "/proc/sys/vm/overcommit_memory",
+                                        "/proc/self/auxv",
+                                        "/proc/self/cmdline",
+                                        "/proc/self/comm",
+                                        "/proc/self/environ",
+                                        "/proc/self/fd",
+                                        "/proc/self/limits",
+                                        "/proc/self/maps",
+                                        "/proc/self/smaps",
+                                        "/proc/self/stat",
+                                        "/proc/self/statm",
+                                        "/proc/self/status"};
+    char own[PATH_MAX];
+    path_make(own, "%s/tmp", walls->view);
+    int rules = rules_new();
+    if (rules < 0) {
+        return -1;
+    }
+    if (list_allow(rules, paths, SYSTEM_COUNT(paths), LANDLOCK_READ) != 0 ||
+        list_allow(rules, system_folders, SYSTEM_COUNT(system_folders), LANDLOCK_READ) != 0 ||
+        list_allow(rules, system_settings, SYSTEM_COUNT(system_settings), LANDLOCK_READ) != 0 ||
+        devices_allow(rules) != 0 || mounts_allow(rules, &walls->command) != 0 ||
+        allow(rules, walls->view, LANDLOCK_READ) != 0 || allow(rules, own, LANDLOCK_WRITE) != 0) {
+        return -1;
+    }
     return (int)syscall(SYS_landlock_restrict_self, rules, 0);
 }

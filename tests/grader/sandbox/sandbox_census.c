@@ -11,9 +11,8 @@
 #include "folder.h"
 #include "path.h"
 #include "sandbox_held.h"
-#include "sandbox_leftovers.h"
-#include "sandbox_memory.h"
 #include "sandbox_stat.h"
+#include "sandbox_user.h"
 
 #include <dirent.h>
 #include <signal.h>

@@ -1,4 +1,5 @@
-// What /proc says of a process, or of one of its threads: what it does, and how it is scheduled.
+// What /proc says of a process, or of one of its threads: what it does, how it is scheduled, and how
+// much memory it uses.
 #ifndef GRADER_SANDBOX_STAT_H
 #define GRADER_SANDBOX_STAT_H
 
@@ -23,5 +24,19 @@ int stat_session_stands_back(pid_t process);
 // that it does not name become -1. Returns 0, or -1 when there is no such process any more.
 int stat_figures_read(pid_t process, const char *file_name, const char *const names[],
                       long long figures[], int n);
+
+typedef struct ProcessMemory {
+    long long own_kb;  // in the memory of the machine or swapped out, and the tables of its pages
+    long long shared_kb;  // of what it shares with others without a file, the pages that it has
+} ProcessMemory;
+
+// A thread of the process by which /proc tells of it, and its memory: quick to read, and never too
+// small, as what processes share after a fork is in the figure of each. Returns 0 when the process
+// has ended.
+pid_t memory_look(pid_t process, ProcessMemory *memory);
+
+// Its share of what it uses: exact, but the kernel has to walk through all of its pages. Returns 0,
+// or -1 when the process has ended.
+int memory_share(pid_t process, ProcessMemory *memory);
 
 #endif

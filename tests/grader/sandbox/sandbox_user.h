@@ -2,6 +2,8 @@
 #ifndef GRADER_SANDBOX_USER_H
 #define GRADER_SANDBOX_USER_H
 
+#include "folder.h"
+
 #include <sys/types.h>
 
 // The number of the user, and of its group, that belongs to the calling process alone.
@@ -17,5 +19,12 @@ void user_end(uid_t user);
 
 // Can a process here become that user, and its group? In many a container there are few of them.
 int user_is_known(uid_t user);
+
+// What it leaves outside of its folders, where everybody may write: add that to *size; stop once
+// that holds more than n_files_most.
+void leftovers_measure(uid_t user, long long n_files_most, FolderSize *size);
+
+// Remove it, when none of the user's processes is alive.
+void leftovers_remove(uid_t user);
 
 #endif
