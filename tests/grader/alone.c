@@ -5,16 +5,13 @@
 #include "alone.h"
 
 #include "holes.h"
-#include "jobs.h"
 #include "lot.h"
 #include "path.h"
 #include "skeleton.h"
 #include "text_file.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 // The number for LOT in the stand-ins while a task is tried. Where a check of it may say what was
 // found (is_same_alone), none depends on that number, and it is not the seed's: however an answer
@@ -32,17 +29,10 @@ static uint32_t lot_of(const Session *session, const Task *task)
 
 // What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
 // after one message.
-static char *other_body(const Session *session, const Task *task, uint32_t lot)
+static char *other_body(const Manifest *manifest, const Task *task, uint32_t lot)
 {
-    const Manifest *manifest = &session->manifest;
     char *stand_in = stand_in_read(manifest, task, lot);
-    if (stand_in != NULL) {
-        return stand_in;
-    }
-    char *skeleton = skeleton_read(manifest, task->file);
-    char *body = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
-    free(skeleton);
-    return body;
+    return stand_in != NULL ? stand_in : placeholder_read(manifest, task);
 }
 
 // Fill a hole. Takes `text` over, also where there is no such hole. Returns the text, or NULL.
@@ -62,7 +52,7 @@ static char *holes_settle(const Session *session, const char *file, const Task *
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
         if (other != task && strcmp(other->file, file) == 0) {
-            char *body = other_body(session, other, lot_of(session, task));
+            char *body = other_body(manifest, other, lot_of(session, task));
             text = settle(text, other, body);
             free(body);
         }
@@ -100,35 +90,18 @@ static char *file_text(const Session *session, const char *file, const Task *tas
     return own_text;
 }
 
-// Returns 0, or -1 after one message.
-static int write_job(Session *session, const Task *task, const Variant *variant)
-{
-    char job[PATH_MAX];
-    variant_job_path(variant, job);
-    FILE *file = fopen(job, "wb");
-    int failed = file == NULL || section_write(file, PROBE_ALONE, task->id, strlen(task->id)) != 0;
-    if (!failed && judge_job(&session->judge, task->id, file) != 0) {
-        fclose(file);
-        return -1;
-    }
-    failed |= file != NULL && fclose(file) != 0;
-    if (failed || chmod(job, 0644) != 0) {
-        fprintf(stderr, "grade: %s: cannot be written: %s\n", job, strerror(errno));
-        return -1;
-    }
-    return 0;
-}
-
 int alone_fill(Session *session, const char *name, const Task *task, const char *answer,
                const char *own, Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
+    char job[PATH_MAX];
     int result = variant_open(&session->workshop, name, variant);
     variant->alone = task->id;
+    variant_job_path(variant, job);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         const char *file = manifest->files[i];
         result = variant_put(variant, file,
                              file_text(session, file, task, answer, own, &variant->is_changed));
     }
-    return result == 0 ? write_job(session, task, variant) : -1;
+    return result == 0 ? session_write_job(&session->judge, task->id, job) : -1;
 }

@@ -48,11 +48,6 @@ int grading_stage(Grading *grading, const char *submission)
 
 int grading_is_replaced(const Grading *grading, const char *file)
 {
-    const Manifest *manifest = &grading->session.manifest;
-    for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], file) == 0) {
-            return grading->is_replaced[i];
-        }
-    }
-    return 0;
+    const int i = manifest_file(&grading->session.manifest, file);
+    return i >= 0 && grading->is_replaced[i];
 }

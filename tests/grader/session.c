@@ -3,6 +3,7 @@
 
 #include "holes.h"
 #include "host_limits.h"
+#include "jobs.h"
 #include "kept_answers.h"
 #include "path.h"
 #include "sandbox.h"
@@ -89,19 +90,29 @@ int session_take_kernels(const Session *session, const Variant *from, const Vari
     return result;
 }
 
+int session_write_job(JudgeProcess *judge, const char *task, const char *path)
+{
+    FILE *file = fopen(path, "wb");
+    int failed =
+        file == NULL || (task != NULL && section_write(file, PROBE_ALONE, task, strlen(task)) != 0);
+    if (!failed && judge_job(judge, task, file) != 0) {
+        fclose(file);
+        return -1;
+    }
+    failed |= file != NULL && fclose(file) != 0;
+    if (failed || chmod(path, 0644) != 0) {
+        fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
+        return -1;
+    }
+    return 0;
+}
+
 // Write a judge's job as the workshop's job of this number. Returns 0, or -1 after one message.
 static int write_job(const Session *session, JudgeProcess *judge, int job)
 {
     char path[PATH_MAX];
     workshop_job_path(&session->workshop, job, path);
-    FILE *file = fopen(path, "wb");
-    if (file == NULL) {
-        fprintf(stderr, "grade: %s: cannot be written: %s\n", path, strerror(errno));
-        return -1;
-    }
-    const int result = judge_job(judge, NULL, file);
-    const int closed = fclose(file);
-    return result != 0 || closed != 0 || chmod(path, 0644) != 0 ? -1 : 0;
+    return session_write_job(judge, NULL, path);
 }
 
 int session_open(Session *session, const Settings *settings)

@@ -35,6 +35,10 @@ void session_close(Session *session);
 // settings'. n is MAX_FURTHER_JOBS at most. Returns 0, or -1 after one message.
 int session_add_seeds(Session *session, int n);
 
+// Write the judge's job for a whole submission, or, where a task is named, for its answer alone.
+// Returns 0, or -1 after one message.
+int session_write_job(JudgeProcess *judge, const char *task, const char *path);
+
 // Compile n variants side by side, the solution first where it is one of them. Returns 0, or -1
 // after one message when the machinery failed.
 int session_compile(Session *session, Variant *const variants[], int n);

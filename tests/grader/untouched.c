@@ -1,7 +1,6 @@
 // Is an answer what was handed out? (See untouched.h.)
 #include "untouched.h"
 
-#include "holes.h"
 #include "skeleton.h"
 #include "source_words.h"
 
@@ -25,15 +24,6 @@ static Likeness words_compare(const char *a, const char *b)
     } while (x.kind == y.kind && x.length == y.length && memcmp(x.start, y.start, x.length) == 0 &&
              x.kind != SOURCE_END);
     return y.kind != SOURCE_END ? OTHER_WORDS : x.kind != SOURCE_END ? BEGINS_ALIKE : SAME_WORDS;
-}
-
-// What a task's hole holds as it is handed out. Free() it. NULL where there is none.
-static char *placeholder_read(const Manifest *manifest, const Task *task)
-{
-    char *skeleton = skeleton_read(manifest, task->file);
-    char *placeholder = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
-    free(skeleton);
-    return placeholder;
 }
 
 int answer_is_untouched(const Manifest *manifest, const Task *task, const char *answer)

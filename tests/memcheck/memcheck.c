@@ -65,13 +65,13 @@ static int libraries_copy(const Session *session)
 {
     static const char *const sanitizers[] = {"address", "memory"};
     char from[PATH_MAX], to[PATH_MAX];
-    path_make(to, "%s/tree/lib/kernels.h", session->workshop.folder);
+    path_make(to, "%s/lib/kernels.h", session->workshop.tree);
     int result = copy_file("tests/native/kernels.h", to);
-    path_make(to, "%s/tree/lib/checked.h", session->workshop.folder);
+    path_make(to, "%s/lib/checked.h", session->workshop.tree);
     result |= copy_file("tests/memcheck/checked.h", to);
     for (int i = 0; i < 2; i++) {
         path_make(from, "%s/memcheck/%s.so", session->workshop.build, sanitizers[i]);
-        path_make(to, "%s/tree/lib/memcheck-%s.so", session->workshop.folder, sanitizers[i]);
+        path_make(to, "%s/lib/memcheck-%s.so", session->workshop.tree, sanitizers[i]);
         result |= copy_file(from, to);
     }
     return result;

@@ -113,9 +113,8 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
 {
     const Workshop *workshop = &memcheck->session.workshop;
     const Manifest *manifest = &memcheck->session.manifest;
-    char tree[PATH_MAX], lab[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX],
-        inside[PATH_MAX], variable[64];
-    path_make(tree, "%s/tree", workshop->folder);
+    char lab[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX], inside[PATH_MAX],
+        variable[64];
     path_make(lab, "%s/lab", memcheck->whole.folder);
     folder_path(memcheck, pass, "build", build);
     folder_path(memcheck, pass, "out", out);
@@ -135,25 +134,12 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
             argv[n++] = manifest->files[i];
         }
     }
-    const SandboxCommand command = {
-        .kind = workshop->sandbox,
-        .argv = argv,
-        .environment = environment,
-        .folder = "/work",
-        .mounts = {{tree, "/work", 0},
-                   {lab, inside, 0},
-                   {build, "/work/build", 1},
-                   {out, "/work/out", 1},
-                   {job, "/work/job", 0}},
-        .n_mounts = 5,
-        .time = time,
-        .memory_mb = 0,  // sanitizers reserve terabytes that they never use
-        .file_mb = FILE_MB,
-        .n_processes = N_PROCESSES,
-        .total_memory_mb = TOTAL_MEMORY_MB,
-        .total_file_mb = TOTAL_FILE_MB,
-        .n_files = N_FILES,
-    };
+    SandboxCommand command = workshop_command(workshop, argv, environment, time);
+    const SandboxMount mounts[] = {
+        {lab, inside, 0}, {build, "/work/build", 1}, {out, "/work/out", 1}, {job, "/work/job", 0}};
+    memcpy(command.mounts + 1, mounts, sizeof mounts);
+    command.n_mounts = 5;
+    command.memory_mb = 0;  // sanitizers reserve terabytes that they never use
     return sandbox_start(&command);
 }
 

@@ -100,7 +100,7 @@ Test(judge_process, a_check_without_points_is_refused, .init = start_silently, .
 Test(judge_process, points_for_no_check_of_the_task_are_refused, .init = start_silently,
      .fini = stop)
 {
-    char **own = &manifest.tasks[0].checks[0].id, **others = &manifest.tasks[1].checks[0].id;
+    const char **own = &manifest.tasks[0].checks[0].id, **others = &manifest.tasks[1].checks[0].id;
     char *id = *own;
     *own = *others;
     *others = id;

@@ -183,65 +183,51 @@ int hole_id(const char *text, int index, char id[HOLE_ID_BYTES])
     return 0;
 }
 
-// Where a hole's content starts and ends in a text.
+// Where the markers of a hole stand, and its content.
 typedef struct Hole {
-    const char *start;
-    const char *end;
+    int begin, end;  // the lines of the first of each, from 1; 0 when there is none
+    int second;      // the first line that has one a second time, or 0
+    int second_is_end;
+    const char *start, *stop;  // the content, where each marker is there once, in order
 } Hole;
 
-static int hole_find(const char *text, const char *id, Hole *hole)
+static Hole markers_find(const char *text, const char *id)
 {
+    Hole hole = {0};
     char found[HOLE_ID_BYTES];
-    int n_begins = 0, n_ends = 0, in_task_text = 0;
+    int in_task_text = 0;
     Line line;
-    while (next_line(&text, &line)) {
-        if (is_begin(line, found) && strcmp(found, id) == 0) {
-            n_begins++;
-            hole->start = text;
-            in_task_text = 1;
-        } else if (is_end(line, found) && strcmp(found, id) == 0) {
-            n_ends++;
-            hole->end = line.start;
+    for (int number = 1; next_line(&text, &line); number++) {
+        const int ends = is_end(line, found);
+        if ((ends || is_begin(line, found)) && strcmp(found, id) == 0) {
+            int *first = ends ? &hole.end : &hole.begin;
+            if (*first == 0) {
+                *first = number;
+            } else if (hole.second == 0) {
+                hole.second = number;
+                hole.second_is_end = ends;
+            }
+            *(ends ? &hole.stop : &hole.start) = ends ? line.start : text;
+            in_task_text = !ends;
         } else if (in_task_text && is_comment(line) && after_prefix(line, "//>") == NULL) {
-            hole->start = text;
+            hole.start = text;
         } else {
             in_task_text = 0;
         }
     }
-    return n_begins == 1 && n_ends == 1 && hole->start <= hole->end;
+    return hole;
 }
 
-// The lines at which the markers of a hole stand.
-typedef struct Markers {
-    int begin, end;  // the first of each, from 1; 0 when there is none
-    int second;      // the first line that has one a second time, or 0
-    int second_is_end;
-} Markers;
-
-static Markers markers_find(const char *text, const char *id)
+// Returns whether the markers are there exactly once each, in order.
+static int hole_find(const char *text, const char *id, Hole *hole)
 {
-    Markers markers = {0};
-    char found[HOLE_ID_BYTES];
-    Line line;
-    for (int number = 1; next_line(&text, &line); number++) {
-        const int ends = is_end(line, found);
-        if ((!ends && !is_begin(line, found)) || strcmp(found, id) != 0) {
-            continue;
-        }
-        int *first = ends ? &markers.end : &markers.begin;
-        if (*first == 0) {
-            *first = number;
-        } else if (markers.second == 0) {
-            markers.second = number;
-            markers.second_is_end = ends;
-        }
-    }
-    return markers;
+    *hole = markers_find(text, id);
+    return hole->begin > 0 && hole->end > 0 && hole->second == 0 && hole->start <= hole->stop;
 }
 
 char *hole_fault(const char *text, const char *id)
 {
-    const Markers at = markers_find(text, id);
+    const Hole at = markers_find(text, id);
     if (at.second != 0) {
         return message_new("line %d: \"// %s %s\" stands there a second time", at.second,
                            at.second_is_end ? "END" : "TASK", id);
@@ -265,7 +251,8 @@ char *hole_fault(const char *text, const char *id)
 char *hole_read(const char *text, const char *id)
 {
     Hole hole;
-    return hole_find(text, id, &hole) ? strndup(hole.start, (size_t)(hole.end - hole.start)) : NULL;
+    return hole_find(text, id, &hole) ? strndup(hole.start, (size_t)(hole.stop - hole.start))
+                                      : NULL;
 }
 
 char *hole_load(const char *path, const char *id)
@@ -286,7 +273,7 @@ int hole_has_line(const char *text, const char *id, int number)
     while (number > 0 && next_line(&text, &line)) {
         number--;
     }
-    return number == 0 && line.start >= hole.start && line.start < hole.end;
+    return number == 0 && line.start >= hole.start && line.start < hole.stop;
 }
 
 char *hole_fill(const char *solution, const char *id, const char *body)
@@ -301,6 +288,6 @@ char *hole_fill(const char *solution, const char *id, const char *body)
     if (body[0] != '\0' && body[strlen(body) - 1] != '\n') {
         fputc('\n', output.file);
     }
-    fputs(hole.end, output.file);
+    fputs(hole.stop, output.file);
     return output_close(&output);
 }

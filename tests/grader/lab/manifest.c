@@ -19,16 +19,6 @@
 
 enum { POINTS_OF_A_LAB = 100, MOST_POINTS = 1000, MOST_SECONDS = 3600, MOST_HOURS = 40 };
 
-static int file_is_listed(const Manifest *manifest, const char *file)
-{
-    for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], file) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 static int files_read(const Place *object, Manifest *manifest)
 {
     const Place list = place_field(object, "files");
@@ -46,7 +36,7 @@ static int files_read(const Place *object, Manifest *manifest)
         if (strchr(file, '/') != NULL || file[0] == '.') {
             return place_fault(&place, "found \"%s\", expected a plain file name", file);
         }
-        if (file_is_listed(manifest, file)) {
+        if (manifest_file(manifest, file) >= 0) {
             return place_fault(&place, "found \"%s\" a second time", file);
         }
         manifest->files[manifest->n_files++] = file;
@@ -167,7 +157,7 @@ static int task_read(const Place *place, Manifest *manifest)
         more_hints_read(place, task) != 0) {
         return -1;
     }
-    if (!file_is_listed(manifest, task->file)) {
+    if (manifest_file(manifest, task->file) < 0) {
         return place_fault(place, "found the file \"%s\", expected one of \"files\"", task->file);
     }
     manifest->n_tasks++;
@@ -336,6 +326,15 @@ void manifest_free(Manifest *manifest)
 {
     json_decref(manifest->json);
     *manifest = (Manifest){0};
+}
+
+int manifest_file(const Manifest *manifest, const char *name)
+{
+    int i = manifest->n_files - 1;
+    while (i >= 0 && strcmp(manifest->files[i], name) != 0) {
+        i--;
+    }
+    return i;
 }
 
 const Task *manifest_task(const Manifest *manifest, const char *id)

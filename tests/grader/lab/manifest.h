@@ -91,6 +91,9 @@ const TaskCheck *manifest_check(const Manifest *manifest, const char *id);
 // The task with this id, or NULL.
 const Task *manifest_task(const Manifest *manifest, const char *id);
 
+// The number of the file with this name, or -1: students do not hand it in.
+int manifest_file(const Manifest *manifest, const char *name);
+
 // Is this file C for the host, and not a kernel?
 int manifest_is_host_file(const char *name);
 

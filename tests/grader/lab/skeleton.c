@@ -25,6 +25,14 @@ char *skeleton_read(const Manifest *manifest, const char *file)
     return skeleton;
 }
 
+char *placeholder_read(const Manifest *manifest, const Task *task)
+{
+    char *skeleton = skeleton_read(manifest, task->file);
+    char *placeholder = skeleton != NULL ? hole_read(skeleton, task->id) : NULL;
+    free(skeleton);
+    return placeholder;
+}
+
 // The text with this number for each LOT. Takes `text` over; NULL after one message.
 static char *lot_write(char *text, uint32_t lot)
 {

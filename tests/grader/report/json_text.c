@@ -9,20 +9,29 @@
 
 #include <stdlib.h>
 
-json_t *json_line(const char *line)
+static json_t *json_clean(char *clean)
 {
-    char *clean = line_clean(line);
     json_t *string = json_string(clean);
     free(clean);
     return string;
 }
 
+json_t *json_line(const char *line)
+{
+    return json_clean(line_clean(line));
+}
+
 json_t *json_message(const char *message)
 {
-    char *clean = message_clean(message);
-    json_t *string = json_string(clean);
-    free(clean);
-    return string;
+    return json_clean(message_clean(message));
+}
+
+void json_add(json_t **list, json_t *entry)
+{
+    if (json_array_append_new(*list, entry) != 0) {
+        json_decref(*list);
+        *list = NULL;
+    }
 }
 
 int json_save(const char *path, json_t *json, size_t layout)

@@ -9,6 +9,9 @@
 json_t *json_line(const char *line);
 json_t *json_message(const char *message);
 
+// Append an entry to a list, which takes it over, and becomes NULL where memory runs out.
+void json_add(json_t **list, json_t *entry);
+
 // Write `json` to a file that appears whole or not at all, and release it.
 //   json    NULL is refused: it stands for a figure that is not finite, or for no memory
 //   layout  JSON_INDENT(n) or JSON_COMPACT

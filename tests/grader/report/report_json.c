@@ -18,13 +18,9 @@ static json_t *stages_json(const Result *result)
     json_t *stages = json_array();
     for (int i = 0; i < result->n_stages; i++) {
         const StageResult *stage = &result->stages[i];
-        json_t *entry =
-            json_pack("{s:o, s:s, s:o}", "title", json_line(stage->title), "status",
-                      check_status_name(stage->status), "message", json_message(stage->message));
-        if (json_array_append_new(stages, entry) != 0) {
-            json_decref(stages);
-            return NULL;
-        }
+        json_add(&stages, json_pack("{s:o, s:s, s:o}", "title", json_line(stage->title), "status",
+                                    check_status_name(stage->status), "message",
+                                    json_message(stage->message)));
     }
     return stages;
 }
@@ -34,15 +30,11 @@ static json_t *tasks_json(const Manifest *manifest, const Result *result)
     json_t *tasks = json_array();
     for (int i = 0; i < manifest->n_tasks; i++) {
         const Task *task = &manifest->tasks[i];
-        TaskPoints sum = result_task_points(result, task->id);
-        json_t *entry = json_pack("{s:s, s:o, s:s, s:i, s:i, s:o}", "id", task->id, "title",
-                                  json_line(task->title), "file", task->file, "points", sum.points,
-                                  "max_points", sum.max_points, "hint",
-                                  json_line(task_hint(manifest, result, task)));
-        if (json_array_append_new(tasks, entry) != 0) {
-            json_decref(tasks);
-            return NULL;
-        }
+        const TaskPoints sum = result_task_points(result, task->id);
+        json_add(&tasks, json_pack("{s:s, s:o, s:s, s:i, s:i, s:o}", "id", task->id, "title",
+                                   json_line(task->title), "file", task->file, "points", sum.points,
+                                   "max_points", sum.max_points, "hint",
+                                   json_line(task_hint(manifest, result, task))));
     }
     return tasks;
 }
@@ -68,10 +60,7 @@ static json_t *checks_json(const Manifest *manifest, const Result *result)
 {
     json_t *checks = json_array();
     for (int i = 0; i < result->n_checks; i++) {
-        if (json_array_append_new(checks, check_json(manifest, result, &result->checks[i])) != 0) {
-            json_decref(checks);
-            return NULL;
-        }
+        json_add(&checks, check_json(manifest, result, &result->checks[i]));
     }
     return checks;
 }

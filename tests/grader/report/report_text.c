@@ -149,14 +149,20 @@ static void stage_print(const TextReport *report, const StageResult *stage)
     message_print(report->out, stage->message, is_log ? MESSAGE_LOG : MESSAGE_PROSE);
 }
 
-static void check_print(const TextReport *report, const CheckResult *check)
+// A check, or a task where it has a line only.
+static void row_print(const TextReport *report, CheckStatus status, const char *id, int n_points,
+                      int n_most, const char *title)
 {
     char points[32];
-    snprintf(points, sizeof points, "%d/%d", check->points, check->max_points);
-    const CheckStatus status = check_status_shown(check);
+    snprintf(points, sizeof points, "%d/%d", n_points, n_most);
     fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n", colour(report, status_colour(status)),
-            status_mark(status), colour(report, PLAIN), report->id_columns, check->id, points,
-            check->title);
+            status_mark(status), colour(report, PLAIN), report->id_columns, id, points, title);
+}
+
+static void check_print(const TextReport *report, const CheckResult *check)
+{
+    row_print(report, check_status_shown(check), check->id, check->points, check->max_points,
+              check->title);
     message_print(report->out, check_message_shown(check), MESSAGE_PROSE);
 }
 
@@ -275,11 +281,7 @@ static void tasks_print(TextReport *report, const Manifest *manifest, const Resu
         const Task *task = &manifest->tasks[i];
         const CheckStatus status = task_status(result, task);
         const TaskPoints sum = result_task_points(result, task->id);
-        char points[32];
-        snprintf(points, sizeof points, "%d/%d", sum.points, sum.max_points);
-        fprintf(report->out, "   %s%-4s%s  %-*s  %7s  %s\n", colour(report, status_colour(status)),
-                status_mark(status), colour(report, PLAIN), report->id_columns, task->id, points,
-                task->title);
+        row_print(report, status, task->id, sum.points, sum.max_points, task->title);
         if (task != whole && status == CHECK_FAILED) {
             next = next != NULL ? next : task;
             n_more++;

@@ -15,23 +15,11 @@
 // Run the program that looks for it, which is in the tree. NULL after one message.
 static SandboxRun *start(const Workshop *workshop, SandboxTime time)
 {
-    char tree[PATH_MAX], device[PATH_MAX];
-    path_make(tree, "%s/tree", workshop->folder);
+    char device[PATH_MAX];
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     const char *const argv[] = {"lib/find_device", NULL};
     const char *const environment[] = {device, NULL};
-    const SandboxCommand command = {
-        .kind = workshop->sandbox,
-        .argv = argv,
-        .environment = environment,
-        .folder = "/work",
-        .mounts = {{tree, "/work", 0}},
-        .n_mounts = 1,
-        .time = time,
-        .memory_mb = MEMORY_MB,
-        .file_mb = FILE_MB,
-        .n_processes = N_PROCESSES,
-    };
+    const SandboxCommand command = workshop_command(workshop, argv, environment, time);
     return sandbox_start(&command);
 }
 
@@ -39,7 +27,7 @@ int device_find(const Workshop *workshop)
 {
     char from[PATH_MAX], to[PATH_MAX];
     path_make(from, "%s/probes/find_device", workshop->build);
-    path_make(to, "%s/tree/lib/find_device", workshop->folder);
+    path_make(to, "%s/lib/find_device", workshop->tree);
     const SandboxTime time = allowance_ours();
     SandboxRun *run = copy_file(from, to) == 0 ? start(workshop, time) : NULL;
     if (run == NULL) {

@@ -49,17 +49,7 @@ int step_folder_make(const Variant *variant, Step step)
     return 0;
 }
 
-// Is the file handed in by students? Then a variant brings its own.
-static int is_handed_in(const Manifest *manifest, const char *name)
-{
-    for (int i = 0; i < manifest->n_files; i++) {
-        if (strcmp(manifest->files[i], name) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
+// What the lab gives: a variant brings the files that students hand in.
 static int copy_given_files(const Manifest *manifest, const Variant *variant)
 {
     char path[PATH_MAX];
@@ -72,7 +62,7 @@ static int copy_given_files(const Manifest *manifest, const Variant *variant)
     int result = 0;
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *name = strrchr(found.gl_pathv[i], '/') + 1;
-        if (!is_handed_in(manifest, name) && strcmp(name, "main.c") != 0) {
+        if (manifest_file(manifest, name) < 0 && strcmp(name, "main.c") != 0) {
             variant_file(variant, name, path);
             result = copy_file(found.gl_pathv[i], path);
         }

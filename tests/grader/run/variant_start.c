@@ -10,33 +10,16 @@
 #include <stdio.h>
 #include <string.h>
 
-// The folders of a variant as mounts; paths[] keeps the strings.
-static void mount_variant(const Workshop *workshop, const Variant *variant, int building,
-                          char paths[5][PATH_MAX], char lab_inside[PATH_MAX],
-                          SandboxCommand *command)
-{
-    path_make(paths[0], "%s/tree", workshop->folder);
-    path_make(paths[1], "%s/lab", variant->folder);
-    path_make(paths[2], "%s/build", variant->folder);
-    path_make(paths[3], "%s/out", variant->folder);
-    path_make(paths[4], "%s/job", variant->alone ? variant->folder : workshop->folder);
-    path_make(lab_inside, "/work/labs/%s", workshop->manifest->lab);
-    const SandboxMount mounts[] = {
-        {paths[0], "/work", 0},
-        {paths[1], lab_inside, 0},
-        {paths[2], "/work/build", building},
-        {paths[3], "/work/out", !building},
-        {paths[4], "/work/job", 0},
-    };
-    memcpy(command->mounts, mounts, sizeof mounts);
-    // The compiler needs neither the job nor a place for answers.
-    command->n_mounts = building ? 3 : 5;
-}
-
 static SandboxRun *start(const Workshop *workshop, const Variant *variant, int building,
                          const char *const *argv, SandboxTime time)
 {
-    char paths[5][PATH_MAX], lab_inside[PATH_MAX], device[PATH_MAX];
+    char lab[PATH_MAX], inside[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX],
+        device[PATH_MAX];
+    path_make(lab, "%s/lab", variant->folder);
+    path_make(inside, "/work/labs/%s", workshop->manifest->lab);
+    path_make(build, "%s/build", variant->folder);
+    path_make(out, "%s/out", variant->folder);
+    path_make(job, "%s/job", variant->alone ? variant->folder : workshop->folder);
     snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
@@ -53,22 +36,20 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     if (variant->is_second) {
         environment[n++] = SECOND_COMPILER;
     }
-    SandboxCommand command = {
-        .kind = workshop->sandbox,
-        .argv = argv,
-        .environment = environment,
-        .folder = "/work",
-        .time = time,
-        // The address sanitizer reserves terabytes that it never uses; what is in use is still
-        // counted.
-        .memory_mb = variant->purpose == VARIANT_CRASH && !building ? 0 : MEMORY_MB,
-        .file_mb = FILE_MB,
-        .n_processes = N_PROCESSES,
-        .total_memory_mb = TOTAL_MEMORY_MB,
-        .total_file_mb = TOTAL_FILE_MB,
-        .n_files = N_FILES,
+    SandboxCommand command = workshop_command(workshop, argv, environment, time);
+    const SandboxMount mounts[] = {
+        {lab, inside, 0},
+        {build, "/work/build", building},
+        {out, "/work/out", !building},
+        {job, "/work/job", 0},
     };
-    mount_variant(workshop, variant, building, paths, lab_inside, &command);
+    // The compiler needs neither the job nor a place for answers.
+    memcpy(command.mounts + 1, mounts, sizeof mounts);
+    command.n_mounts = building ? 3 : 5;
+    // The address sanitizer reserves terabytes that it never uses; what is in use is still counted.
+    if (variant->purpose == VARIANT_CRASH && !building) {
+        command.memory_mb = 0;
+    }
     return sandbox_start(&command);
 }
 

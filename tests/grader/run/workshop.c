@@ -4,6 +4,7 @@
 #include "folder.h"
 #include "limited_folder.h"
 #include "path.h"
+#include "run_end.h"
 #include "workshop_files.h"
 
 #include <errno.h>
@@ -16,7 +17,7 @@
 static int copy_matching(const Workshop *workshop, const char *pattern, const char *folder)
 {
     char path[PATH_MAX];
-    path_make(path, "%s/tree/%s", workshop->folder, folder);
+    path_make(path, "%s/%s", workshop->tree, folder);
     if (make_folder(path) != 0) {
         return -1;
     }
@@ -29,7 +30,7 @@ static int copy_matching(const Workshop *workshop, const char *pattern, const ch
     int result = 0;
     for (size_t i = 0; result == 0 && i < found.gl_pathc; i++) {
         const char *name = strrchr(found.gl_pathv[i], '/') + 1;
-        path_make(path, "%s/tree/%s/%s", workshop->folder, folder, name);
+        path_make(path, "%s/%s/%s", workshop->tree, folder, name);
         result = copy_file(found.gl_pathv[i], path);
     }
     globfree(&found);
@@ -92,10 +93,10 @@ static int make_mount_points(const Workshop *workshop)
     char path[PATH_MAX];
     int result = 0;
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        path_make(path, "%s/tree/%s", workshop->folder, folders[i]);
+        path_make(path, "%s/%s", workshop->tree, folders[i]);
         result |= make_folder(path);
     }
-    path_make(path, "%s/tree/labs/%s", workshop->folder, workshop->manifest->lab);
+    path_make(path, "%s/labs/%s", workshop->tree, workshop->manifest->lab);
     result |= make_folder(path);
     path_make(path, "%s/job", workshop->folder);
     return result | make_folder(path);
@@ -132,9 +133,9 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
         return -1;
     }
     char path[PATH_MAX];
-    path_make(path, "%s/tree", workshop->folder);
-    int result = make_folder(workshop->folder) | make_folder(path);
-    path_make(path, "%s/tree/solutions", workshop->folder);
+    path_make(workshop->tree, "%s/tree", workshop->folder);
+    int result = make_folder(workshop->folder) | make_folder(workshop->tree);
+    path_make(path, "%s/solutions", workshop->tree);
     result |= make_folder(path) | make_mount_points(workshop);
     if (workshop->needs_compiler) {
         result |= copy_matching(workshop, "common/*.h", "common");
@@ -145,6 +146,26 @@ int workshop_open(Workshop *workshop, const Manifest *manifest, const char *buil
                    copy_libraries(workshop)
                ? -1
                : 0;
+}
+
+SandboxCommand workshop_command(const Workshop *workshop, const char *const *argv,
+                                const char *const *environment, SandboxTime time)
+{
+    return (SandboxCommand){
+        .kind = workshop->sandbox,
+        .argv = argv,
+        .environment = environment,
+        .folder = "/work",
+        .mounts = {{workshop->tree, "/work", 0}},
+        .n_mounts = 1,
+        .time = time,
+        .memory_mb = MEMORY_MB,
+        .file_mb = FILE_MB,
+        .n_processes = N_PROCESSES,
+        .total_memory_mb = TOTAL_MEMORY_MB,
+        .total_file_mb = TOTAL_FILE_MB,
+        .n_files = N_FILES,
+    };
 }
 
 void workshop_close(Workshop *workshop)

@@ -18,6 +18,7 @@
 
 typedef struct Workshop {
     char folder[PATH_MAX];  // under $TMPDIR or /tmp
+    char tree[PATH_MAX];    // in it: seen as /work
     const char *build;      // the build folder with the probes and libraries, "build"
     const Manifest *manifest;
     const char *device;  // value of COURSE_DEVICE inside; "" for the first
@@ -33,6 +34,11 @@ enum { MAX_FURTHER_JOBS = 31 };
 // Make the folder and copy in what the lab needs. Returns 0, or -1 after one message on stderr.
 int workshop_open(Workshop *workshop, const Manifest *manifest, const char *build,
                   const char *device, SandboxKind sandbox);
+
+// A command in its sandbox, which sees its tree and has the limits of run_end.h. The strings must
+// stay until it is started.
+SandboxCommand workshop_command(const Workshop *workshop, const char *const *argv,
+                                const char *const *environment, SandboxTime time);
 
 // Remove the folder.
 void workshop_close(Workshop *workshop);
