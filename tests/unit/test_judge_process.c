@@ -101,7 +101,7 @@ Test(judge_process, points_for_no_check_of_the_task_are_refused, .init = start_s
      .fini = stop)
 {
     const char **own = &manifest.tasks[0].checks[0].id, **others = &manifest.tasks[1].checks[0].id;
-    char *id = *own;
+    const char *id = *own;
     *own = *others;
     *others = id;
     expect_refused("solutions/01-naive-2d/lab.json: overlaps_N_Nearer: found points for "
