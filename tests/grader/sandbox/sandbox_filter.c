@@ -36,31 +36,6 @@
 // Longer than any filter that is made here: the kernel's own bound.
 enum { MAX_INSTRUCTIONS = 4096 };
 
-// Flags of open() that make each write wait. O_DSYNC is a part of O_SYNC.
-static const unsigned waiting_flags[] = {O_DSYNC, O_DIRECT};
-
-// Ways to make a process that is in namespaces of its own.
-static const unsigned namespace_flags[] = {
-    CLONE_NEWNS,  CLONE_NEWUTS, CLONE_NEWIPC,    CLONE_NEWUSER,
-    CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWCGROUP,
-};
-
-// Calls that Linux 5.16 and later brought, up to where x32's begin, are not known: among them
-// cachestat, statmount, listmount and futexes of a new kind. Every library has to do without them
-// on the systems of its day.
-enum { FIRST_UNKNOWN_CALL = 449, END_OF_UNKNOWN_CALLS = 512 };
-
-// fcntl's locks on a file, leases and watches.
-static const int file_commands[] = {
-    F_GETLK,      F_SETLK,    F_SETLKW,   F_OFD_GETLK, F_OFD_SETLK,
-    F_OFD_SETLKW, F_SETLEASE, F_GETLEASE, F_NOTIFY,
-};
-
-// Waiting at an address in a file, where a process of another run that maps it can wake us.
-static const unsigned shared_waits[] = {FUTEX_WAIT, FUTEX_WAIT_BITSET, FUTEX_WAIT_REQUEUE_PI};
-
-#define NUMBER_MASK 0xffffffffU  // of 32 bits
-
 #define N_ITEMS(array) (sizeof(array) / sizeof *(array))
 
 // What ends a process. Kernels before 4.14, and gVisor, only know how to end one thread, which
@@ -85,185 +60,156 @@ static int calls_add(scmp_filter_ctx filter, uint32_t action, const char *const 
     return 0;
 }
 
+// ---- Calls with certain arguments ---------------------------------------------------------------
+
+#define NUMBER_MASK 0xffffffffU  // of 32 bits
+#define SIGN (1U << 31)
+#define FUTEX_MASK (NUMBER_MASK & ~(unsigned)FUTEX_CLOCK_REALTIME)
+enum { N_FAMILIES = 64 };          // of sockets: the kernel has fewer
+enum { PR_FUTEX_HASH_CALL = 78 };  // PR_FUTEX_HASH, which Linux 6.16 brought
+
+// What a call's argument is, numbered from 0.
+#define IS(argument, number) {argument, SCMP_CMP_MASKED_EQ, NUMBER_MASK, (unsigned)(number)}
+#define HAS(argument, flags) {argument, SCMP_CMP_MASKED_EQ, flags, flags}
+#define IS_NOT_0(argument) {argument, SCMP_CMP_NE, 0, 0}
+
+// Which action is the end of a process depends on the kernel: see fatal_action().
+#define FATAL SCMP_ACT_KILL_PROCESS
+#define REFUSED(error) SCMP_ACT_ERRNO(error)
+
+typedef struct Rule {
+    uint32_t action;
+    int call;
+    struct scmp_arg_cmp arguments[2];  // all of these; behind the last one zeros
+} Rule;
+
+static const Rule rules[] = {
+    // Pairs of connected sockets could each keep megabytes in the kernel that no look finds. Of
+    // other sockets: sockets_add().
+    {REFUSED(EACCES), SCMP_SYS(socketpair), {{0}}},
+    {REFUSED(EACCES), SCMP_SYS(socket), {{0, SCMP_CMP_GE, N_FAMILIES, 0}}},
+
+    // Ways to make a process that is in namespaces of its own. clone3's flags stand in memory, where
+    // no filter can look; the C library falls back to clone().
+    {REFUSED(ENOSYS), SCMP_SYS(clone3), {{0}}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWNS)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWUTS)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWIPC)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWUSER)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWPID)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWNET)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWCGROUP)}},
+    // Who waits for its own vfork() looks like who waits for a disk. The census tells them apart by
+    // the child, so that has to be one of its own, and no thread.
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_PARENT)}},
+    {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_VFORK | CLONE_THREAD)}},
+
+    // Children whose end is ignored leave no trace of the processor time that they used. Nobody may
+    // say what shall become of SIGCHLD: it is left as it is by default, and they are waited for.
+    {REFUSED(EPERM), SCMP_SYS(rt_sigaction), {IS(0, SIGCHLD), IS_NOT_0(1)}},
+
+    // A thread has the descriptors of its process and no table of its own: the census looks at one.
+    {REFUSED(EPERM),
+     SCMP_SYS(clone),
+     {{0, SCMP_CMP_MASKED_EQ, CLONE_THREAD | CLONE_FILES, CLONE_THREAD}}},
+    {REFUSED(EPERM), SCMP_SYS(close_range), {HAS(2, CLOSE_RANGE_UNSHARE)}},
+
+    // Locks on a file, leases and watches.
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_GETLK)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_SETLK)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_SETLKW)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_OFD_GETLK)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_OFD_SETLK)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_OFD_SETLKW)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_SETLEASE)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_GETLEASE)}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_NOTIFY)}},
+
+    // Waiting at an address in a file, where a process of another run that maps it can wake us. A
+    // wait that is not marked as the process's own ends at once, as if the value had changed: who
+    // waits looks again. Of the C library that is only pthread_join(), which then asks on and on.
+    {REFUSED(EAGAIN), SCMP_SYS(futex), {{1, SCMP_CMP_MASKED_EQ, FUTEX_MASK, FUTEX_WAIT}}},
+    {REFUSED(EAGAIN), SCMP_SYS(futex), {{1, SCMP_CMP_MASKED_EQ, FUTEX_MASK, FUTEX_WAIT_BITSET}}},
+    {REFUSED(EAGAIN),
+     SCMP_SYS(futex),
+     {{1, SCMP_CMP_MASKED_EQ, FUTEX_MASK, FUTEX_WAIT_REQUEUE_PI}}},
+
+    // The processor time of other processes has clocks with negative numbers.
+    {REFUSED(EINVAL), SCMP_SYS(clock_gettime), {HAS(0, SIGN)}},
+    {REFUSED(EINVAL), SCMP_SYS(clock_getres), {HAS(0, SIGN)}},
+    {REFUSED(EINVAL), SCMP_SYS(clock_nanosleep), {HAS(0, SIGN)}},
+    {REFUSED(EINVAL), SCMP_SYS(timer_create), {HAS(0, SIGN)}},
+
+    // What these say of a process is asked of oneself by the number 0. The C library lives without
+    // the processors of another thread only where there is no such call.
+    {REFUSED(ENOSYS), SCMP_SYS(sched_getaffinity), {IS_NOT_0(0)}},
+    {REFUSED(ENOSYS), SCMP_SYS(sched_getattr), {IS_NOT_0(0)}},
+    {REFUSED(ENOSYS), SCMP_SYS(sched_getparam), {IS_NOT_0(0)}},
+    {REFUSED(ENOSYS), SCMP_SYS(sched_getscheduler), {IS_NOT_0(0)}},
+    {REFUSED(ENOSYS), SCMP_SYS(getpgid), {IS_NOT_0(0)}},
+    {REFUSED(ENOSYS), SCMP_SYS(getsid), {IS_NOT_0(0)}},
+    {REFUSED(ENOSYS), SCMP_SYS(sched_rr_get_interval), {IS_NOT_0(0)}},
+
+    // Filters of the run's own, and a table of futexes for the process: memory of the kernel's that
+    // no look finds. Whose call is handed to a listener passes for who waits for a disk.
+    {REFUSED(EINVAL), SCMP_SYS(prctl), {IS(0, PR_SET_SECCOMP)}},
+    {REFUSED(EINVAL), SCMP_SYS(prctl), {IS(0, PR_FUTEX_HASH_CALL)}},
+
+    // Files each write to which waits. O_DSYNC is a part of O_SYNC; newer kinds of machines have no
+    // open(); the flags of openat2() stand in memory, where no filter can look.
+    {REFUSED(EPERM), SCMP_SYS(openat), {HAS(2, O_DSYNC)}},
+    {REFUSED(EPERM), SCMP_SYS(open), {HAS(1, O_DSYNC)}},
+    {REFUSED(EPERM), SCMP_SYS(openat), {HAS(2, O_DIRECT)}},
+    {REFUSED(EPERM), SCMP_SYS(open), {HAS(1, O_DIRECT)}},
+    {REFUSED(ENOSYS), SCMP_SYS(openat2), {{0}}},
+    {REFUSED(EPERM), SCMP_SYS(fcntl), {IS(1, F_SETFL), HAS(2, O_DIRECT)}},
+
+    // Moving pages waits in the kernel as for a disk, again and again for little processor time.
+    {REFUSED(EPERM), SCMP_SYS(mbind), {HAS(5, MPOL_MF_MOVE)}},
+    {REFUSED(EPERM), SCMP_SYS(mbind), {HAS(5, MPOL_MF_MOVE_ALL)}},
+};
+
+// Returns 0, or a negative errno, as all below.
+static int rule_add(scmp_filter_ctx filter, const Rule *rule)
+{
+    unsigned n = 0;
+    while (n < N_ITEMS(rule->arguments) && rule->arguments[n].op != 0) {
+        n++;
+    }
+    const uint32_t action = rule->action == FATAL ? fatal_action() : rule->action;
+    // A negative number: this machine has no such call.
+    return rule->call < 0 ? 0
+                          : seccomp_rule_add_array(filter, action, rule->call, n, rule->arguments);
+}
+
 // Internet sockets end the process. All others are refused: libraries ask for a local socket to
-// talk to a name service, or for netlink, and live without. Pairs of connected sockets are, too, as
-// each could keep megabytes in the kernel that no look finds.
+// talk to a name service, or for netlink, and live without.
 static int sockets_add(scmp_filter_ctx filter)
 {
-    const unsigned n_families = 64;  // the kernel has fewer
-    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(socketpair), 0);
-    fault = fault != 0 ? fault
-                       : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), SCMP_SYS(socket), 1,
-                                          SCMP_A0(SCMP_CMP_GE, n_families));
-    for (unsigned family = 0; fault == 0 && family < n_families; family++) {
-        int is_fatal = family == AF_INET || family == AF_INET6 || family == AF_PACKET;
-        fault = seccomp_rule_add(filter, is_fatal ? fatal_action() : SCMP_ACT_ERRNO(EACCES),
+    int fault = 0;
+    for (unsigned family = 0; fault == 0 && family < N_FAMILIES; family++) {
+        const int is_fatal = family == AF_INET || family == AF_INET6 || family == AF_PACKET;
+        fault = seccomp_rule_add(filter, is_fatal ? fatal_action() : REFUSED(EACCES),
                                  SCMP_SYS(socket), 1, SCMP_A0(SCMP_CMP_EQ, family));
     }
     return fault;
 }
 
-static int clone_add(scmp_filter_ctx filter)
-{
-    // Its flags stand in memory, where no filter can look. The C library falls back to clone().
-    int fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(namespace_flags); i++) {
-        fault =
-            seccomp_rule_add(filter, fatal_action(), SCMP_SYS(clone), 1,
-                             SCMP_A0(SCMP_CMP_MASKED_EQ, namespace_flags[i], namespace_flags[i]));
-    }
-    // Who waits for its own vfork() looks like who waits for a disk. The census tells them apart by
-    // the child, so that has to be one of its own, and no thread.
-    const unsigned hidden_waits[] = {CLONE_PARENT, CLONE_VFORK | CLONE_THREAD};
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(hidden_waits); i++) {
-        fault = seccomp_rule_add(filter, fatal_action(), SCMP_SYS(clone), 1,
-                                 SCMP_A0(SCMP_CMP_MASKED_EQ, hidden_waits[i], hidden_waits[i]));
-    }
-    return fault;
-}
-
-// Children whose end is ignored leave no trace of the processor time that they used. Nobody may
-// say what shall become of SIGCHLD: it is left as it is by default, and they are waited for.
-static int ended_children_add(scmp_filter_ctx filter)
-{
-    return seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(rt_sigaction), 2,
-                            SCMP_A0(SCMP_CMP_MASKED_EQ, NUMBER_MASK, SIGCHLD),
-                            SCMP_A1(SCMP_CMP_NE, 0));
-}
-
+// Calls that Linux 5.16 and later brought, up to where x32's begin, are not known: among them
+// cachestat, statmount, listmount and futexes of a new kind. Every library has to do without them
+// on the systems of its day.
 static int unknown_calls_add(scmp_filter_ctx filter)
 {
+    enum { FIRST_UNKNOWN_CALL = 449, END_OF_UNKNOWN_CALLS = 512 };
     int fault = 0;
     for (int call = FIRST_UNKNOWN_CALL; fault == 0 && call < END_OF_UNKNOWN_CALLS; call++) {
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), call, 0);
+        fault = seccomp_rule_add(filter, REFUSED(ENOSYS), call, 0);
     }
     return fault;
 }
 
-static int file_commands_add(scmp_filter_ctx filter)
-{
-    int fault = 0;
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(file_commands); i++) {
-        fault =
-            seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 1,
-                             SCMP_A1(SCMP_CMP_MASKED_EQ, NUMBER_MASK, (unsigned)file_commands[i]));
-    }
-    return fault;
-}
+// ---- All ----------------------------------------------------------------------------------------
 
-// A wait that is not marked as the process's own ends at once, as if the value had changed: who
-// waits looks again. Of the C library that is only pthread_join(), which then asks on and on.
-static int shared_waits_add(scmp_filter_ctx filter)
-{
-    const unsigned mask = NUMBER_MASK & ~(unsigned)FUTEX_CLOCK_REALTIME;
-    int fault = 0;
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(shared_waits); i++) {
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EAGAIN), SCMP_SYS(futex), 1,
-                                 SCMP_A1(SCMP_CMP_MASKED_EQ, mask, shared_waits[i]));
-    }
-    return fault;
-}
-
-// A thread has the descriptors of its process and no table of its own: the census looks at one.
-static int own_tables_add(scmp_filter_ctx filter)
-{
-    int fault =
-        seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
-                         SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD | CLONE_FILES, CLONE_THREAD));
-    return fault != 0 ? fault
-                      : seccomp_rule_add(
-                            filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(close_range), 1,
-                            SCMP_A2(SCMP_CMP_MASKED_EQ, CLOSE_RANGE_UNSHARE, CLOSE_RANGE_UNSHARE));
-}
-
-// The processor time of other processes has clocks with negative numbers.
-static int clocks_add(scmp_filter_ctx filter)
-{
-    const unsigned sign = 1U << 31;
-    const int calls[] = {SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(clock_nanosleep),
-                         SCMP_SYS(timer_create)};
-    int fault = 0;
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(calls); i++) {
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), calls[i], 1,
-                                 SCMP_A0(SCMP_CMP_MASKED_EQ, sign, sign));
-    }
-    return fault;
-}
-
-// What these say of a process is asked of oneself by the number 0. The C library lives without the
-// processors of another thread only where there is no such call.
-static int questions_add(scmp_filter_ctx filter)
-{
-    const int calls[] = {
-        SCMP_SYS(sched_getaffinity),    SCMP_SYS(sched_getattr), SCMP_SYS(sched_getparam),
-        SCMP_SYS(sched_getscheduler),   SCMP_SYS(getpgid),       SCMP_SYS(getsid),
-        SCMP_SYS(sched_rr_get_interval)};
-    int fault = 0;
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(calls); i++) {
-        fault =
-            seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), calls[i], 1, SCMP_A0(SCMP_CMP_NE, 0));
-    }
-    return fault;
-}
-
-// Filters of the run's own, and a table of futexes for the process: memory of the kernel's that no
-// look finds. Whose call is handed to a listener passes for who waits for a disk.
-static int process_options_add(scmp_filter_ctx filter)
-{
-    const unsigned futex_table = 78;  // PR_FUTEX_HASH, which Linux 6.16 brought
-    const unsigned options[] = {PR_SET_SECCOMP, futex_table};
-    int fault = 0;
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(options); i++) {
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), 1,
-                                 SCMP_A0(SCMP_CMP_MASKED_EQ, NUMBER_MASK, options[i]));
-    }
-    return fault;
-}
-
-// Moving pages waits in the kernel as for a disk, again and again for little processor time.
-static int page_moves_add(scmp_filter_ctx filter)
-{
-    const unsigned flags[] = {MPOL_MF_MOVE, MPOL_MF_MOVE_ALL};
-    int fault = 0;
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(flags); i++) {
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(mbind), 1,
-                                 SCMP_A5(SCMP_CMP_MASKED_EQ, flags[i], flags[i]));
-    }
-    return fault;
-}
-
-static int disk_waits_add(scmp_filter_ctx filter)
-{
-    int fault = calls_add(filter, SCMP_ACT_ERRNO(0), needless_calls, N_ITEMS(needless_calls));
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(waiting_flags); i++) {
-        const unsigned flag = waiting_flags[i];
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(openat), 1,
-                                 SCMP_A2(SCMP_CMP_MASKED_EQ, flag, flag));
-        // Newer kinds of machines have no open().
-        if (fault == 0 && SCMP_SYS(open) >= 0) {
-            fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(open), 1,
-                                     SCMP_A1(SCMP_CMP_MASKED_EQ, flag, flag));
-        }
-    }
-    // Its flags stand in memory, where no filter can look.
-    if (fault == 0) {
-        fault = seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(openat2), 0);
-    }
-    return fault != 0 ? fault
-                      : seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(fcntl), 2,
-                                         SCMP_A1(SCMP_CMP_MASKED_EQ, NUMBER_MASK, F_SETFL),
-                                         SCMP_A2(SCMP_CMP_MASKED_EQ, O_DIRECT, O_DIRECT));
-}
-
-typedef int RulesAdd(scmp_filter_ctx filter);
-
-// Those that look at a call's arguments, and calls without a name.
-static RulesAdd *const special_rules[] = {
-    sockets_add,       clone_add,           ended_children_add, own_tables_add,
-    unknown_calls_add, file_commands_add,   shared_waits_add,   clocks_add,
-    questions_add,     process_options_add, disk_waits_add,     page_moves_add};
-
-// Returns 0, or a negative errno.
 static int rules_add(scmp_filter_ctx filter)
 {
     // 32-bit and x32 calls have other numbers, and no program here is built for them.
@@ -272,10 +218,19 @@ static int rules_add(scmp_filter_ctx filter)
         fault = calls_add(filter, fatal_action(), fatal_calls, N_ITEMS(fatal_calls));
     }
     if (fault == 0) {
-        fault = calls_add(filter, SCMP_ACT_ERRNO(EPERM), refused_calls, N_ITEMS(refused_calls));
+        fault = calls_add(filter, REFUSED(EPERM), refused_calls, N_ITEMS(refused_calls));
     }
-    for (size_t i = 0; fault == 0 && i < N_ITEMS(special_rules); i++) {
-        fault = special_rules[i](filter);
+    if (fault == 0) {
+        fault = calls_add(filter, REFUSED(0), needless_calls, N_ITEMS(needless_calls));
+    }
+    for (size_t i = 0; fault == 0 && i < N_ITEMS(rules); i++) {
+        fault = rule_add(filter, &rules[i]);
+    }
+    if (fault == 0) {
+        fault = sockets_add(filter);
+    }
+    if (fault == 0) {
+        fault = unknown_calls_add(filter);
     }
     return fault;
 }
