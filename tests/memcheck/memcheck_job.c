@@ -10,6 +10,7 @@
 #include "jobs_09.h"
 #include "jobs_10.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -218,56 +219,36 @@ static int scaled_side(int side, float scale)
     return scaled > 1 ? scaled : 1;
 }
 
-static int circles_write(const SmallScene *scene, float scale)
+// Write a part whose records are floats, the first n_scaled of n of each scaled.
+static int scaled_write(const SmallScene *scene, const char *part, size_t n_scaled, size_t n,
+                        float scale)
 {
     size_t n_bytes;
-    const Circle *given = scene_part(scene, "circles", &n_bytes);
-    if (given == NULL) {
-        return 0;  // lab 00 has none
+    const float *given = scene_part(scene, part, &n_bytes);
+    float *scaled = given != NULL ? malloc(n_bytes + 1) : NULL;
+    if (scaled == NULL) {
+        return given != NULL ? -1 : 0;  // lab 00 has no circles
     }
-    const size_t n = n_bytes / sizeof *given;
-    Circle *circles = malloc(n_bytes);
-    if (circles == NULL) {
-        return -1;
+    for (size_t i = 0; i < n_bytes / sizeof *scaled; i++) {
+        scaled[i] = given[i] * (i % n < n_scaled ? scale : 1);
     }
-    for (size_t i = 0; i < n; i++) {
-        circles[i] = given[i];
-        circles[i].x *= scale;
-        circles[i].y *= scale;
-        circles[i].radius *= scale;
-    }
-    const int result = scene_write(scene, "circles", circles, n * sizeof *circles);
-    free(circles);
-    return result;
-}
-
-static int boxes_write(const SmallScene *scene, float scale)
-{
-    size_t n_bytes;
-    const BBox2D *given = scene_part(scene, "boxes", &n_bytes);
-    BBox2D *boxes = given ? malloc(n_bytes + 1) : NULL;
-    if (boxes == NULL) {
-        return given ? -1 : 0;
-    }
-    for (size_t i = 0; i < n_bytes / sizeof *boxes; i++) {
-        boxes[i] = (BBox2D){.minX = given[i].minX * scale,
-                            .minY = given[i].minY * scale,
-                            .maxX = given[i].maxX * scale,
-                            .maxY = given[i].maxY * scale};
-    }
-    const int result = scene_write(scene, "boxes", boxes, n_bytes);
-    free(boxes);
+    const int result = scene_write(scene, part, scaled, n_bytes);
+    free(scaled);
     return result;
 }
 
 static int scene2d_write(const SmallScene *scene, SceneJob header)
 {
     static const char *const parts[] = {"pattern", "relations", "flags", "map"};
+    enum { N_CIRCLE = sizeof(Circle) / sizeof(f32), N_BOX = sizeof(BBox2D) / sizeof(f32) };
+    const size_t n_place = offsetof(Circle, depth) / sizeof(f32);  // x, y and the radius
     const float scale = scale_of(header.width, header.height, MAX_SIDE);
     header.width = scaled_side(header.width, scale);
     header.height = scaled_side(header.height, scale);
-    return scene_write(scene, NULL, &header, sizeof header) | circles_write(scene, scale) |
-           boxes_write(scene, scale) | parts_write(scene, parts, COUNT(parts));
+    return scene_write(scene, NULL, &header, sizeof header) |
+           scaled_write(scene, "circles", n_place, N_CIRCLE, scale) |
+           scaled_write(scene, "boxes", N_BOX, N_BOX, scale) |
+           parts_write(scene, parts, COUNT(parts));
 }
 
 // The display's size is the camera's: fewer pixels show all of it.

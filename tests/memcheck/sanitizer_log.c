@@ -193,10 +193,8 @@ static void given_read(Finding *finding, const char *report, const Manifest *man
             continue;
         }
         const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
-        for (int i = 0; i < manifest->n_files; i++) {
-            if (strcmp(manifest->files[i], name) == 0) {
-                return;
-            }
+        if (manifest_file(manifest, name) >= 0) {
+            return;
         }
         for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
             const char *given = strstr(path, folders[i]);

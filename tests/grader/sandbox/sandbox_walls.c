@@ -2,7 +2,7 @@
 //
 // By bubblewrap they are its argument list (bwrap_arguments.c). The others stand here: a user of
 // the run's own, whose folders nobody else can enter, a folder of links in the place of mounts, and
-// where the kernel has Landlock, rules about files (landlock_rules.c). The filter of system calls
+// where the kernel has Landlock, rules about files (landlock.c). The filter of system calls
 // belongs to all. Read next: sandbox_supervisor.c, who makes and enters them.
 #include "sandbox_walls.h"
 
