@@ -277,6 +277,10 @@ check "a macro that another answer needs costs it nothing" grades 0 100 $(kept $
 sed -i 's|^int broken(||; s|return circle|retrun circle|' "$scratch/submission/overlaps_N_Nearer.cl"
 broken "where it is not there, its user pays" 20
 check "and the report names it" holds "it uses the macro NEARER"
+awk 'BEGIN { for (i = 0; i < 200; i++) print "#define m" i }' >"$scratch/macros"
+sed -i "1r $scratch/macros" "$scratch/submission/overlaps_N_Nearer.cl"
+broken "also behind two hundred others" 20
+check "it is named there, too" holds "it uses the macro NEARER"
 
 # An answer that is wrong at one pixel of a picture, or ends there, pays by itself.
 for body in 'if (x == 7 \&\& y == 7) return 1;:85' 'while (x == 7 \&\& y == 7) { minDepth += 1; }:60' \
