@@ -154,22 +154,15 @@ static void places_demote(Places *places)
 // of too many the first ones stay.
 static void equal_add(Places *places, Place place)
 {
-    int i = places->n_equal;
-    if (i == PLACES_MAX_EQUAL) {
-        places->are_more = 1;
-        Place *last = &places->equal[--i];
-        if (place_compare(&place, last) > 0) {
-            place_free(&place);
-            return;
-        }
-        place_free(last);
-        places->n_equal--;
-    }
+    int i = places->n_equal++;
     for (; i > 0 && place_compare(&place, &places->equal[i - 1]) < 0; i--) {
         places->equal[i] = places->equal[i - 1];
     }
     places->equal[i] = place;
-    places->n_equal++;
+    if (places->n_equal > PLACES_MAX_EQUAL) {
+        places->are_more = 1;
+        place_free(&places->equal[--places->n_equal]);
+    }
 }
 
 // Note a place of the file. Returns 0, or -1 when memory runs out.

@@ -32,9 +32,9 @@ typedef struct Place {
 
 // Where one file is.
 typedef struct Places {
-    Place equal[PLACES_MAX_EQUAL];  // equally good, in the order of place_compare()
-    int n_equal;                    // 0: the file is nowhere
-    int are_more;                   // than PLACES_MAX_EQUAL
+    Place equal[PLACES_MAX_EQUAL + 1];  // equally good, in the order of place_compare()
+    int n_equal;                        // 0: the file is nowhere
+    int are_more;                       // than PLACES_MAX_EQUAL
     int rank;
     Place other;  // the best of the places that are less good, or NULLs
     int other_rank;
