@@ -9,9 +9,10 @@ FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)
 FUZZED_sections = tests/probes/sections.c
 FUZZED_source = $(addprefix tests/grader/,lab/holes.c lab/skeleton.c submission/source_words.c submission/stands_out.c \
-    submission/stands_out_files.c submission/contents.c submission/file_names.c) $(addprefix common/,message.c path.c text_file.c) $(MESSAGES)
+    submission/stands_out_files.c submission/contents.c submission/file_names.c \
+    sandbox/folder.c) $(addprefix common/,message.c path.c text_file.c) $(MESSAGES)
 FUZZED_unpack = $(addprefix tests/grader/submission/,unpack.c unpack_read.c contents.c copies.c file_kind.c file_names.c \
-    bytes_write.c stands_out_unseen.c places.c place_read.c source_words.c stage.c stage_file.c) \
+    bytes_write.c stands_out_unseen.c places.c place_read.c source_words.c stage.c stage_file.c) tests/grader/sandbox/folder.c \
     $(addprefix common/,message.c path.c) $(MESSAGES)
 FUZZ_TARGETS := $(patsubst tests/fuzz/fuzz_%.c,fuzz-%,$(wildcard tests/fuzz/fuzz_*.c))
 

@@ -270,7 +270,7 @@ status=0
 "$build/tools/grade" --build "$scratch/build" --output "$reports" --lab $lab \
     --submission "$scratch/1/plain.tar" >"$scratch/said" 2>&1 || status=$?
 ok $((status != 2)) "without its tool the grader says that it cannot work" "$(cat "$scratch/said")"
-check "and names the tool" grep -q 'tools/unpack: No such file' "$scratch/said"
+check "and names the tool" grep -q 'tools/unpack: cannot be copied: No such file' "$scratch/said"
 # What reads an archive is not believed: where it works over another one, the archive is at fault.
 cat >"$scratch/build/tools/unpack" <<'SH'
 #!/bin/sh

@@ -1,6 +1,7 @@
 // Reading the address sanitizer's report strictly (see crash_line.h).
 #include "crash_line.h"
 
+#include "folder.h"
 #include "holes.h"
 #include "message.h"
 #include "path.h"
@@ -11,7 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 enum { REPORT_BYTES = 1 << 17, FRAME_BYTES = 768, MAX_LINE = 1000000 };
@@ -90,15 +90,12 @@ int crash_line_read(const char *report, const Manifest *manifest, const char **f
 
 char *report_load(const char *path)
 {
-    struct stat status;
-    char *text = NULL;
-    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
-        text = calloc(1, REPORT_BYTES);
-        if (text != NULL && read(file, text, REPORT_BYTES - 1) <= 0) {
-            free(text);
-            text = NULL;
-        }
+    size_t n_bytes;
+    const int file = folder_file_open(AT_FDCWD, path, &n_bytes);
+    char *text = file >= 0 ? calloc(1, REPORT_BYTES) : NULL;
+    if (text != NULL && read(file, text, REPORT_BYTES - 1) <= 0) {
+        free(text);
+        text = NULL;
     }
     if (file >= 0) {
         close(file);

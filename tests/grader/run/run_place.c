@@ -1,6 +1,7 @@
 // The notes of a probe (see run_place.h).
 #include "run_place.h"
 
+#include "folder.h"
 #include "path.h"
 
 #include <ctype.h>
@@ -8,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 // The probe's files, below the folder that it writes to.
@@ -52,21 +52,12 @@ int run_note_is_name(const ProbeNote *note)
     return is_named(note, name);
 }
 
-// A regular file of the folder, to be read; -1 where there is none. *n_bytes receives its size.
+// A file of the folder, to be read; -1 where there is none. *n_bytes receives its size.
 static int file_open(const char *out, const char *name, size_t *n_bytes)
 {
     char path[PATH_MAX];
-    struct stat status;
     path_make(path, "%s/%s", out, name);
-    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
-        *n_bytes = (size_t)status.st_size;
-        return file;
-    }
-    if (file >= 0) {
-        close(file);
-    }
-    return -1;
+    return folder_file_open(AT_FDCWD, path, n_bytes);
 }
 
 // Which of n inputs was being tried: the one behind the last answer of which a bit is not set.

@@ -29,6 +29,29 @@ int temporary_folder_make(char path[PATH_MAX], const char *name)
     return -1;
 }
 
+int folder_file_open(int folder, const char *name, size_t *n_bytes)
+{
+    const int flags = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    struct stat status;
+    // Opening alone may do something to a device: a tape winds, a watchdog wakes.
+    if (fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        return -1;
+    }
+    if (!S_ISREG(status.st_mode)) {
+        errno = S_ISLNK(status.st_mode) ? ELOOP : ENXIO;
+        return -1;
+    }
+    const int file = openat(folder, name, flags);
+    // What has taken its place meanwhile is something else.
+    if (file >= 0 && (fstat(file, &status) != 0 || !S_ISREG(status.st_mode))) {
+        close(file);
+        errno = ENXIO;
+        return -1;
+    }
+    *n_bytes = (size_t)status.st_size;
+    return file;
+}
+
 static DIR *folder_open(int parent, const char *name)
 {
     int descriptor = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);

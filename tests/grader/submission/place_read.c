@@ -2,6 +2,7 @@
 #include "place_read.h"
 
 #include "bytes_write.h"
+#include "folder.h"
 #include "stage.h"
 
 #include <errno.h>
@@ -9,31 +10,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// Open a regular file in an open folder. Returns a descriptor, or -1 with errno set: ENXIO where it
-// is something else.
-static int regular_open(int parent, const char *file)
-{
-    struct stat status;
-    if (fstatat(parent, file, &status, AT_SYMLINK_NOFOLLOW) != 0) {
-        return -1;
-    }
-    // Opening alone may do something to a device: a tape winds, a watchdog wakes.
-    if (!S_ISREG(status.st_mode)) {
-        errno = S_ISLNK(status.st_mode) ? ELOOP : ENXIO;
-        return -1;
-    }
-    // O_NONBLOCK: opening a FIFO that has taken its place meanwhile would wait for a writer that
-    // never comes.
-    return openat(parent, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-}
-
 int place_file_open(int top, const Place *place)
 {
+    size_t n_bytes;
     const int parent = place_open(top, place->folder);
     if (parent < 0) {
         return -1;
     }
-    return close_after(parent, regular_open(parent, place->name));
+    return close_after(parent, folder_file_open(parent, place->name, &n_bytes));
 }
 
 ssize_t place_bytes_read(int descriptor, unsigned char *bytes)

@@ -7,13 +7,13 @@
 #include "clean_text.h"
 #include "contents.h"
 #include "file_names.h"
+#include "folder.h"
 #include "path.h"
 
 #include <dirent.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 // How many names are shown, and how many entries are read at most.
@@ -24,12 +24,9 @@ enum { MAX_MANIFEST_BYTES = 65536 };
 // A short file's bytes, not followed where it is a link. Returns their number, or -1.
 static ssize_t file_bytes(int folder, const char *name, char *bytes)
 {
-    const int descriptor = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    struct stat status;
-    ssize_t n = -1;
-    if (descriptor >= 0 && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
-        n = read(descriptor, bytes, MAX_MANIFEST_BYTES);
-    }
+    size_t n_bytes;
+    const int descriptor = folder_file_open(folder, name, &n_bytes);
+    const ssize_t n = descriptor >= 0 ? read(descriptor, bytes, MAX_MANIFEST_BYTES) : -1;
     if (descriptor >= 0) {
         close(descriptor);
     }

@@ -10,6 +10,7 @@
 #include "contents.h"
 #include "file_kind.h"
 #include "file_names.h"
+#include "folder.h"
 #include "message.h"
 #include "path.h"
 #include "place_read.h"
@@ -132,13 +133,9 @@ static int only_file_open(const Manifest *manifest, const char *folder, char pat
         return -1;
     }
     only_entry(entries, name, sizeof name);
-    int file = -1;
-    struct stat status;
-    if (name[0] != '\0' && fstatat(dirfd(entries), name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
-        S_ISREG(status.st_mode)) {
-        file = openat(dirfd(entries), name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        path_make(path, "%s/%s", folder, name);
-    }
+    size_t n_bytes;
+    const int file = name[0] != '\0' ? folder_file_open(dirfd(entries), name, &n_bytes) : -1;
+    path_make(path, "%s/%s", folder, name);
     closedir(entries);
     if (file >= 0 && is_of_lab(manifest, name) && !is_packed(file)) {
         close(file);
@@ -163,13 +160,10 @@ static int name_order(const struct dirent **a, const struct dirent **b)
 // Returns 0, or -1 after one message.
 static int inner_archive_add(Sources *sources, const char *path, const char *name)
 {
-    struct stat status;
+    size_t n_bytes;
     char inner[PATH_MAX];
     path_make(inner, "%s/%s", path, name);
-    if (lstat(inner, &status) != 0 || !S_ISREG(status.st_mode)) {
-        return 0;
-    }
-    const int file = open(inner, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    const int file = folder_file_open(AT_FDCWD, inner, &n_bytes);
     if (file < 0) {
         return place_fault_is_ours(errno) ? machinery_fault(inner, errno) : 0;
     }

@@ -14,6 +14,7 @@
 #include "submission.h"
 #include "unpack.h"
 #include "unpack_rules.h"
+#include "workshop_files.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -56,14 +57,14 @@ static const UnpackRules *rules_of(const Workshop *workshop)
 // ---- Copies for the sandbox -----------------------------------------------------------------
 
 // Copy at most n_bytes of an open file to a new one. Returns 0, or -1 with errno set.
-static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
+static int copy_open_file(int from, const char *to, off_t n_bytes)
 {
     char block[1 << 16];
-    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (out < 0) {
         return -1;
     }
-    int outcome = fchmod(out, mode);  // whatever the umask
+    int outcome = fchmod(out, 0644);  // whatever the umask
     while (outcome == 0 && n_bytes > 0) {
         const size_t n_wanted = n_bytes < (off_t)sizeof block ? (size_t)n_bytes : sizeof block;
         const ssize_t n = read(from, block, n_wanted);
@@ -78,24 +79,6 @@ static int copy_open_file(int from, const char *to, off_t n_bytes, mode_t mode)
         }
     }
     return close_after(out, outcome);
-}
-
-static int copy_tool(const char *build, const char *to)
-{
-    char path[PATH_MAX];
-    struct stat status;
-    path_make(path, "%s/tools/unpack", build);
-    const int from = open(path, O_RDONLY | O_CLOEXEC);
-    if (from < 0 || fstat(from, &status) != 0 ||
-        copy_open_file(from, to, status.st_size, 0755) != 0) {
-        const int outcome = machinery_fault(path, errno);
-        if (from >= 0) {
-            close(from);
-        }
-        return outcome;
-    }
-    close(from);
-    return 0;
 }
 
 // The archive could not be copied. Where there is room for what every submission may need, it is
@@ -143,7 +126,7 @@ static int copy_archive(const UnpackRules *rules, const char *path, int from, co
         return submission_refuse(path, complaint, message);
     }
     path_make(to, "%s/archive", in);
-    return copy_open_file(from, to, status.st_size, 0644) == 0
+    return copy_open_file(from, to, status.st_size) == 0
                ? 0
                : copy_failed(rules, path, to, in, status.st_size, errno, message);
 }
@@ -301,14 +284,15 @@ int archive_unpack(const Workshop *workshop, int number, const char *path, int a
                    char folder[PATH_MAX], char **message)
 {
     Desk desk;
-    char tool[PATH_MAX];
+    char tool[PATH_MAX], tool_copy[PATH_MAX];
     if (desk_make(workshop, number, &desk) != 0) {
         return -1;
     }
     path_make(folder, "%s", desk.out);
     // The tool first: there is room for it, whatever the archive then takes.
-    path_make(tool, "%s/unpack", desk.in);
-    if (copy_tool(workshop->build, tool) != 0) {
+    path_make(tool, "%s/tools/unpack", workshop->build);
+    path_make(tool_copy, "%s/unpack", desk.in);
+    if (copy_file(tool, tool_copy) != 0) {
         return -1;
     }
     int outcome = copy_archive(rules_of(workshop), path, archive, desk.in, message);
