@@ -267,17 +267,14 @@ char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowa
                         const char **task)
 {
     char out[PATH_MAX], lab[PATH_MAX], *line = NULL;
-    Variant checked;
+    Variant checked = {0};
     Variant *const variants[] = {&checked};
     *task = NULL;
-    if (!workshop->needs_compiler || variant_repeat(variant, VARIANT_CRASH, &checked) != 0 ||
-        step_folder_make(&checked, STEP_COMPILING) != 0 ||
-        variants_run(workshop, variants, 1, allowance) != 0) {
-        return NULL;
-    }
-    path_make(out, "%s/out", variant->folder);
-    path_make(lab, "%s/lab", variant->folder);
-    if (checked.trouble != NULL) {
+    if (workshop->needs_compiler && variant_repeat(variant, VARIANT_CRASH, &checked) == 0 &&
+        step_folder_make(&checked, STEP_COMPILING) == 0 &&
+        variants_run(workshop, variants, 1, allowance) == 0 && checked.trouble != NULL) {
+        path_make(out, "%s/out", variant->folder);
+        path_make(lab, "%s/lab", variant->folder);
         line = crash_line_find(out, lab, workshop->manifest, task);
     }
     step_folder_remove(variant, STEP_RUNNING);
