@@ -48,7 +48,7 @@ static const char *const fatal_calls[] = {
 // What libraries try and can do without: an error.
 static const char *const refused_calls[] = {
     // Locks and watches on files that another run sees, too; so do some commands
-    // of fcntl's (file_commands in sandbox_filter.c).
+    // of fcntl's (`rules` in sandbox_filter.c).
     "flock",
     "inotify_init",
     "inotify_init1",
