@@ -75,8 +75,8 @@ static int tell_found(Grading *grading, int t, int i)
 }
 
 // Say by which known mistake it fails, where stand-ins have a part in that: what was found would
-// show what they do, a sentence of ours does not. The facts stay those of the whole. Returns whether
-// there was anything to say.
+// show what they do, a sentence of ours does not. The facts stay those of the whole. Returns
+// whether there was anything to say.
 static int tell_cause(Grading *grading, int t, int i)
 {
     CheckResult *check = &grading->result.checks[i];
@@ -97,9 +97,9 @@ static int tell_cause(Grading *grading, int t, int i)
     return is_told;
 }
 
-// Say that its answer does not come to its end, which is its own mistake whatever else is wrong. How
-// it ended is said only as far as a run cannot choose among many ways: by an exit status it could
-// tell what stand-ins hold.
+// Say that its answer does not come to its end, which is its own mistake whatever else is wrong.
+// How it ended is said only as far as a run cannot choose among many ways: by an exit status it
+// could tell what stand-ins hold.
 static void tell_end(CheckResult *check, const Variant *alone)
 {
     const char *end = alone->is_endless    ? alone->trouble

@@ -70,7 +70,8 @@ typedef struct Manifest {
 // field missing or of the wrong type, unknown fields, a file name with a slash or a leading dot, a
 // task whose file is not listed, an id given twice, points that do not add up to 100 or to what an
 // instructor's own file says, a hint for a check without points, a leaderboard where host files are
-// handed in, which a race could not be built with ahead). Whether the judge has the same checks: judge_start().
+// handed in, which a race could not be built with ahead). Whether the judge has the same checks:
+// judge_start().
 int manifest_load(const char *labs_folder, const char *lab, Manifest *manifest);
 // Likewise from any file; NULL: the lab's own.
 int manifest_load_file(const char *path, const char *lab, Manifest *manifest);

@@ -18,8 +18,8 @@ void html_album_begin(FILE *page, const char *title);
 // beside it calls news() with another number than this.
 void html_followed_begin(FILE *page, const char *title, int number);
 
-// A template: %s is one line of any text, as html_line() writes it; %d, %.1f and %% are printf's, and
-// others there are not. What stands around them is markup of ours.
+// A template: %s is one line of any text, as html_line() writes it; %d, %.1f and %% are printf's,
+// and others there are not. What stands around them is markup of ours.
 __attribute__((format(printf, 2, 3))) void html_write(FILE *page, const char *template, ...);
 
 // One line of any text, cleaned (clean_text.h) and escaped; also fit between double quotes, and in

@@ -29,8 +29,8 @@ void folder_measure_of(const char *path, uid_t owner, long long n_files_most, Fo
 // reaches through others that are not: measuring as often as is needed would take too long there.
 void folder_remove_of(const char *path, uid_t owner);
 
-// Open a regular file to be read: no link is followed, and no FIFO waited for. Returns a descriptor,
-// or -1 with errno set: ELOOP where it is a link, ENXIO where it is something else.
+// Open a regular file to be read: no link is followed, and no FIFO waited for. Returns a
+// descriptor, or -1 with errno set: ELOOP where it is a link, ENXIO where it is something else.
 //   folder    open, or AT_FDCWD
 //   n_bytes   out: its size
 int folder_file_open(int folder, const char *name, size_t *n_bytes);

@@ -89,8 +89,8 @@ static const Rule rules[] = {
     {REFUSED(EACCES), SCMP_SYS(socketpair), {{0}}},
     {REFUSED(EACCES), SCMP_SYS(socket), {{0, SCMP_CMP_GE, N_FAMILIES, 0}}},
 
-    // Ways to make a process that is in namespaces of its own. clone3's flags stand in memory, where
-    // no filter can look; the C library falls back to clone().
+    // Ways to make a process that is in namespaces of its own. clone3's flags stand in memory,
+    // where no filter can look; the C library falls back to clone().
     {REFUSED(ENOSYS), SCMP_SYS(clone3), {{0}}},
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWNS)}},
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWUTS)}},

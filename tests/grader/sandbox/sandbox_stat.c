@@ -1,4 +1,5 @@
-// Reading what /proc has of a process (see sandbox_stat.h). Read next: sandbox_census.c, which adds it up.
+// Reading what /proc has of a process (see sandbox_stat.h). Read next: sandbox_census.c, which adds
+// it up.
 #include "sandbox_stat.h"
 
 #include <dirent.h>

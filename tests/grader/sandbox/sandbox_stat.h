@@ -1,5 +1,5 @@
-// What /proc says of a process, or of one of its threads: what it does, how it is scheduled, and how
-// much memory it uses.
+// What /proc says of a process, or of one of its threads: what it does, how it is scheduled, and
+// how much memory it uses.
 #ifndef GRADER_SANDBOX_STAT_H
 #define GRADER_SANDBOX_STAT_H
 

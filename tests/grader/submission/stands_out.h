@@ -30,8 +30,8 @@ int stands_out_in_folder(const Manifest *manifest, const char *submission, FILE 
 
 // For the student: characters in a text, outside of its comments, strings and characters, that look
 // like others, or like nothing. A compiler's error at them is a riddle, as the line looks right.
-// Write a line for each to `notes`, with the line of `name` and the code point, but for no more than
-// a few. Returns how many there are.
+// Write a line for each to `notes`, with the line of `name` and the code point, but for no more
+// than a few. Returns how many there are.
 int stands_out_unseen(const char *name, const char *text, FILE *notes);
 
 #endif
