@@ -17,13 +17,11 @@ typedef struct Refusal {
     const char *says;
 } Refusal;
 
-static const Refusal refusals[N_TREE_REFUSALS] = {
-    [TREE_TOO_LARGE] = {NULL, NULL, "the tree grows and grows: does splitting ever end?"},
-    [TREE_OF_TOO_MANY_IDS] = {"distribute", "tree-lists",
-                              "distribute() returned more circles than the node has"},
-    [TREE_OF_LONG_LISTS] = {"pack_leaf", "tree-packing",
-                            "pack_leaf() moved n_map by more than the leaf's list is long"},
-};
+static const Refusal too_large = {NULL, NULL, "the tree grows and grows: does splitting ever end?"};
+static const Refusal long_child = {"distribute", "tree-lists",
+                                   "distribute() returned more circles than the node has"};
+static const Refusal long_leaf = {"pack_leaf", "tree-packing",
+                                  "pack_leaf() moved n_map by more than the leaf's list is long"};
 
 // Why there is no tree: the builder gave up, or the probe ended before.
 static Verdict tree_refused(const char *title, int k, const char *task, const Sections *answers)
@@ -32,7 +30,9 @@ static Verdict tree_refused(const char *title, int k, const char *task, const Se
     if (reason == NULL) {
         return verdict_missing;
     }
-    const Refusal *refusal = &refusals[*reason < N_TREE_REFUSALS ? *reason : TREE_TOO_LARGE];
+    const Refusal *refusal = *reason == KD_LONG_CHILD  ? &long_child
+                             : *reason == KD_LONG_LEAF ? &long_leaf
+                                                       : &too_large;
     if (refusal->task != NULL && strcmp(refusal->task, task) != 0) {
         return verdict_of(
             diagnosis_new("%s: kdtree2d_build gave up: see %s", title, refusal->check));

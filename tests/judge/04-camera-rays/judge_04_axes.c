@@ -117,43 +117,12 @@ static int is_axis(Vec3 found, OracleVector axis, double error)
 #define TO_AT UNIT(CROSS(UNIT(AT), VIEW_UP))
 #define TO_Z UNIT(CROSS(FORWARD, ((OracleVector){0, 0, 1})))
 
-EACH(at_for_way, ARE(TO_AT, CROSS(TO_AT, UNIT(AT)), UNIT(AT), 1),
-     "forward is the way to `at` from the origin, not from the eye")
 #define SUM UNIT(vector_plus(AT, vector_of(in->from)))
 #define TO_SUM UNIT(CROSS(SUM, VIEW_UP))
-EACH(sum_for_way, ARE(TO_SUM, CROSS(TO_SUM, SUM), SUM, 8), "forward is `at` minus `from`, not plus")
-// A cross product with z loses digits where the view is nearly along it.
-EACH(z_for_up, ARE(TO_Z, CROSS(TO_Z, FORWARD), FORWARD, 64),
-     "view.up is not asked: z was taken for it")
 #define TO_Y UNIT(CROSS(FORWARD, ((OracleVector){0, 1, 0})))
-EACH(y_for_up, ARE(TO_Y, CROSS(TO_Y, FORWARD), FORWARD, 64),
-     "view.up is not asked: y was taken for it")
-EACH(up_from_view_up, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), VIEW_UP), FORWARD, 1),
-     "up was computed from right and view.up: it comes from right and forward")
-EACH(unit_vectors, ARE(UNIT_PRODUCT, CROSS(UNIT_PRODUCT, FORWARD), FORWARD, 1),
-     "of two unit vectors that are not at right angles the cross product is shorter than 1: right "
-     "is to be made a unit vector")
-EACH(long_right, ARE(PRODUCT, CROSS(PRODUCT, FORWARD), FORWARD, 1),
-     "right is not made a unit vector, and up comes from it")
-EACH(right_alone_long, ARE(PRODUCT, UNIT(CROSS(PRODUCT, FORWARD)), FORWARD, 1),
-     "right is not made a unit vector")
-EACH(right_late, ARE(UNIT(PRODUCT), CROSS(PRODUCT, FORWARD), FORWARD, 1),
-     "right was made a unit vector only after up had come from it")
 // Forward is not made a unit vector: what comes from it is as long, or is made a unit vector.
 #define LONG_FORWARD "forward is not made a unit vector"
 #define LONG_PRODUCT CROSS(WAY, VIEW_UP)
-EACH(forward_long, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), WAY), WAY, 1), LONG_FORWARD)
-EACH(forward_alone_long, ARE(UNIT(PRODUCT), UNIT(CROSS(PRODUCT, FORWARD)), WAY, 1), LONG_FORWARD)
-EACH(none_unit, ARE(LONG_PRODUCT, CROSS(LONG_PRODUCT, WAY), WAY, 1),
-     "none of the three is made a unit vector")
-EACH(up_as_given, ARE(UNIT(PRODUCT), VIEW_UP, FORWARD, 1),
-     "up is view.up, which need be neither a unit vector nor at right angles to forward")
-EACH(up_made_unit, ARE(UNIT(PRODUCT), UNIT(VIEW_UP), FORWARD, 1),
-     "up is view.up, which need not be at right angles to forward")
-EACH(up_from_way,
-     ARE(UNIT(PRODUCT),
-         UNIT(vector_minus(VIEW_UP, vector_scaled(vector_dot(VIEW_UP, WAY), FORWARD))), FORWARD, 1),
-     "up lost its part along a forward that is not yet a unit vector")
 
 // Is an axis zero, infinite or no number?
 static int has_left_range(Axes axes)
@@ -173,26 +142,73 @@ static int some_have_left_range(const Axes *answers)
     return have_left;
 }
 
-ONLY(steep, i >= FIRST_STEEP, "other views are right, and any angle to up counts, however small")
-ONLY(out_of_range, i >= FIRST_LENGTH && some_have_left_range(answers),
-     "views of usual length are right, but squares and products of numbers as large or small as "
-     "these leave float's range")
-ONLY(of_length, i >= FIRST_LENGTH, "views of usual length are right, and any length counts")
-ONLY(backwards, IS_OPPOSITE(forward, 2), "forward points backwards")
-ONLY(right_of_backwards, IS_OPPOSITE(forward, 2) && IS_OPPOSITE(right, 0),
-     "right comes from forward, which points backwards")
-ONLY(right_to_left, IS_OPPOSITE(right, 0),
-     "right points to the left: mind the order of the cross product")
-ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cross product")
+KNOWN_LIST(known_of_all)
+{
+    GIVEN;
 
-#define KNOWN_OF_ALL                                                                               \
-    &at_for_way, &sum_for_way, &z_for_up, &y_for_up, &up_from_view_up, &unit_vectors, &long_right, \
-        &right_alone_long, &right_late, &forward_long, &forward_alone_long, &none_unit,            \
-        &up_as_given, &up_made_unit, &up_from_way, &steep, &out_of_range, &of_length
-static const Known *const known_of_lengths[] = {KNOWN_OF_ALL};
-static const Known *const known_of_forward[] = {KNOWN_OF_ALL, &backwards};
-static const Known *const known_of_up[] = {KNOWN_OF_ALL, &right_of_backwards, &right_to_left,
-                                           &up_is_down};
+    EACH(at_for_way, ARE(TO_AT, CROSS(TO_AT, UNIT(AT)), UNIT(AT), 1),
+         "forward is the way to `at` from the origin, not from the eye");
+    EACH(sum_for_way, ARE(TO_SUM, CROSS(TO_SUM, SUM), SUM, 8),
+         "forward is `at` minus `from`, not plus");
+    // A cross product with z loses digits where the view is nearly along it.
+    EACH(z_for_up, ARE(TO_Z, CROSS(TO_Z, FORWARD), FORWARD, 64),
+         "view.up is not asked: z was taken for it");
+    EACH(y_for_up, ARE(TO_Y, CROSS(TO_Y, FORWARD), FORWARD, 64),
+         "view.up is not asked: y was taken for it");
+    EACH(up_from_view_up, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), VIEW_UP), FORWARD, 1),
+         "up was computed from right and view.up: it comes from right and forward");
+    EACH(unit_vectors, ARE(UNIT_PRODUCT, CROSS(UNIT_PRODUCT, FORWARD), FORWARD, 1),
+         "of two unit vectors that are not at right angles the cross product is shorter than 1: "
+         "right is to be made a unit vector");
+    EACH(long_right, ARE(PRODUCT, CROSS(PRODUCT, FORWARD), FORWARD, 1),
+         "right is not made a unit vector, and up comes from it");
+    EACH(right_alone_long, ARE(PRODUCT, UNIT(CROSS(PRODUCT, FORWARD)), FORWARD, 1),
+         "right is not made a unit vector");
+    EACH(right_late, ARE(UNIT(PRODUCT), CROSS(PRODUCT, FORWARD), FORWARD, 1),
+         "right was made a unit vector only after up had come from it");
+    EACH(forward_long, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), WAY), WAY, 1), LONG_FORWARD);
+    EACH(forward_alone_long, ARE(UNIT(PRODUCT), UNIT(CROSS(PRODUCT, FORWARD)), WAY, 1),
+         LONG_FORWARD);
+    EACH(none_unit, ARE(LONG_PRODUCT, CROSS(LONG_PRODUCT, WAY), WAY, 1),
+         "none of the three is made a unit vector");
+    EACH(up_as_given, ARE(UNIT(PRODUCT), VIEW_UP, FORWARD, 1),
+         "up is view.up, which need be neither a unit vector nor at right angles to forward");
+    EACH(up_made_unit, ARE(UNIT(PRODUCT), UNIT(VIEW_UP), FORWARD, 1),
+         "up is view.up, which need not be at right angles to forward");
+    EACH(up_from_way,
+         ARE(UNIT(PRODUCT),
+             UNIT(vector_minus(VIEW_UP, vector_scaled(vector_dot(VIEW_UP, WAY), FORWARD))), FORWARD,
+             1),
+         "up lost its part along a forward that is not yet a unit vector");
+
+    ONLY(steep, i >= FIRST_STEEP,
+         "other views are right, and any angle to up counts, however small");
+    ONLY(out_of_range, i >= FIRST_LENGTH && some_have_left_range(answers),
+         "views of usual length are right, but squares and products of numbers as large or small "
+         "as these leave float's range");
+    ONLY(of_length, i >= FIRST_LENGTH, "views of usual length are right, and any length counts");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_forward)
+{
+    GIVEN;
+
+    ONLY(backwards, IS_OPPOSITE(forward, 2), "forward points backwards");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_up)
+{
+    GIVEN;
+
+    ONLY(right_of_backwards, IS_OPPOSITE(forward, 2) && IS_OPPOSITE(right, 0),
+         "right comes from forward, which points backwards");
+    ONLY(right_to_left, IS_OPPOSITE(right, 0),
+         "right points to the left: mind the order of the cross product");
+    ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cross product");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -237,18 +253,19 @@ static char *describe_up(const void *job, int i, const void *answers)
 const Function axes_orthonormal_04 = {"axes",
                                       N_VIEWS,
                                       sizeof(Axes),
-                                      KNOWING(are_orthonormal, describe_lengths, known_of_lengths),
+                                      KNOWING(are_orthonormal, describe_lengths, known_of_all),
                                       .counted = "views",
                                       .knows_constant = 1};
-const Function axes_forward_04 = {"axes",
-                                  N_VIEWS,
-                                  sizeof(Axes),
-                                  KNOWING(goes_forward, describe_forward, known_of_forward),
-                                  .counted = "views",
-                                  .knows_constant = 1};
+const Function axes_forward_04 = {
+    "axes",
+    N_VIEWS,
+    sizeof(Axes),
+    KNOWING(goes_forward, describe_forward, known_of_all, known_of_forward),
+    .counted = "views",
+    .knows_constant = 1};
 const Function axes_up_04 = {"axes",
                              N_VIEWS,
                              sizeof(Axes),
-                             KNOWING(are_upright, describe_up, known_of_up),
+                             KNOWING(are_upright, describe_up, known_of_all, known_of_up),
                              .counted = "views",
                              .knows_constant = 1};

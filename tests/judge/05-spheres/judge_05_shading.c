@@ -53,48 +53,51 @@ static OracleVector turned(int is_turned, OracleVector v)
     return is_turned ? vector_scaled(-1, v) : v;
 }
 
-ANSWERS(long_normal, vector_scaled(DISTANCE, NORMAL), "it is not a unit vector")
-ANSWERS(long_outwards, outwards(in), "it is not a unit vector, and points away from the eye")
-ANSWERS(not_turned, OUTWARDS, "seen from inside it must be turned, towards the eye")
-ANSWERS(inwards, turned(1, OUTWARDS), "it points to the centre, not away from it")
-ANSWERS(turned_away, turned(1, NORMAL), "it points away from where the ray comes from")
-
 // Turned from a cosine on that is not 0, but less than all rolled ones, or than all but the least.
 #define TURNED_BEYOND(cosine) turned(along_ray(in, OUTWARDS) > (cosine), OUTWARDS)
 #define TURNED_LATE "it must be turned where the dot product is positive, however small"
 #define TURNED_EARLY "it must not be turned where the dot product is negative, however small"
 
-ANSWERS(turned_late, TURNED_BEYOND(0x1p-5), TURNED_LATE)
-ANSWERS(turned_early, TURNED_BEYOND(-0x1p-5), TURNED_EARLY)
-ANSWERS(late_by_hair, TURNED_BEYOND(0x1p-30), TURNED_LATE)
-ANSWERS(early_by_hair, TURNED_BEYOND(-0x1p-30), TURNED_EARLY)
-
-ANSWERS(turned_by_radius, turned(in->sphere.radius < 0, OUTWARDS),
-        "the radius' sign turned it: the dot product with the direction decides")
-ANSWERS(turned_by_place, turned(along_ray(in, vector_of(in->point)) > 0, OUTWARDS),
-        "the point's place in the scene turned it: the normal's dot product decides")
-ANSWERS(by_radius, vector_scaled(DISTANCE / fabs(in->sphere.radius), NORMAL),
-        "it was divided by the radius: where float rounds the point, that is not how far the "
-        "centre is, and the normal is no unit vector")
-ANSWERS(by_signed_radius, vector_scaled(1 / (double)in->sphere.radius, outwards(in)),
-        "it was divided by the radius, whose sign turned it: the dot product with the direction "
-        "decides, and float rounds the point")
 #define FROM_ORIGIN vector_unit(vector_of(in->point))
-EACH(centre_forgotten,
-     vec3_length(in->point) == 0 || IS_FOUND(turned(along_ray(in, FROM_ORIGIN) > 0, FROM_ORIGIN)) ||
-         (fabs(along_ray(in, FROM_ORIGIN)) < 0x1p-20 && IS_FOUND(vector_scaled(-1, FROM_ORIGIN))),
-     "it points from the scene's origin to the point: the centre was forgotten")
-ONLY(short_kept, IS_FOUND(vector_scaled(DISTANCE, NORMAL)),
-     "other normals are right, but a short vector must be made a unit vector, too")
-ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
-     "other normals are right, but where the ray is a tangent the dot product is 0, and the normal "
-     "was multiplied by it")
 
-static const Known *const known_normals[] = {
-    &long_normal,      &long_outwards,    &not_turned,      &inwards,
-    &turned_away,      &turned_late,      &turned_early,    &late_by_hair,
-    &early_by_hair,    &turned_by_radius, &turned_by_place, &by_radius,
-    &centre_forgotten, &short_kept,       &vanishes,        &by_signed_radius};
+KNOWN_LIST(known_normals)
+{
+    GIVEN;
+
+    ANSWERS(long_normal, vector_scaled(DISTANCE, NORMAL), "it is not a unit vector");
+    ANSWERS(long_outwards, outwards(in), "it is not a unit vector, and points away from the eye");
+    ANSWERS(not_turned, OUTWARDS, "seen from inside it must be turned, towards the eye");
+    ANSWERS(inwards, turned(1, OUTWARDS), "it points to the centre, not away from it");
+    ANSWERS(turned_away, turned(1, NORMAL), "it points away from where the ray comes from");
+
+    ANSWERS(turned_late, TURNED_BEYOND(0x1p-5), TURNED_LATE);
+    ANSWERS(turned_early, TURNED_BEYOND(-0x1p-5), TURNED_EARLY);
+    ANSWERS(late_by_hair, TURNED_BEYOND(0x1p-30), TURNED_LATE);
+    ANSWERS(early_by_hair, TURNED_BEYOND(-0x1p-30), TURNED_EARLY);
+
+    ANSWERS(turned_by_radius, turned(in->sphere.radius < 0, OUTWARDS),
+            "the radius' sign turned it: the dot product with the direction decides");
+    ANSWERS(turned_by_place, turned(along_ray(in, vector_of(in->point)) > 0, OUTWARDS),
+            "the point's place in the scene turned it: the normal's dot product decides");
+    ANSWERS(by_radius, vector_scaled(DISTANCE / fabs(in->sphere.radius), NORMAL),
+            "it was divided by the radius: where float rounds the point, that is not how far the "
+            "centre is, and the normal is no unit vector");
+    ANSWERS(by_signed_radius, vector_scaled(1 / (double)in->sphere.radius, outwards(in)),
+            "it was divided by the radius, whose sign turned it: the dot product with the "
+            "direction decides, and float rounds the point");
+    EACH(centre_forgotten,
+         vec3_length(in->point) == 0 ||
+             IS_FOUND(turned(along_ray(in, FROM_ORIGIN) > 0, FROM_ORIGIN)) ||
+             (fabs(along_ray(in, FROM_ORIGIN)) < 0x1p-20 &&
+              IS_FOUND(vector_scaled(-1, FROM_ORIGIN))),
+         "it points from the scene's origin to the point: the centre was forgotten");
+    ONLY(short_kept, IS_FOUND(vector_scaled(DISTANCE, NORMAL)),
+         "other normals are right, but a short vector must be made a unit vector, too");
+    ONLY(vanishes, along_ray(in, outwards(in)) == 0 && vec3_length(found) == 0,
+         "other normals are right, but where the ray is a tangent the dot product is 0, and the "
+         "normal was multiplied by it");
+    return NO_MORE;
+}
 
 static char *describe_normal(const void *job, int i, const void *answers)
 {
@@ -149,23 +152,11 @@ static OracleNear not_below_0(OracleNear color)
     return (OracleNear){{fmax(c.x, 0), fmax(c.y, 0), fmax(c.z, 0)}, color.error};
 }
 
-ANSWERS(not_clamped, with_behind(in, lights, -1),
-        "a light behind the surface takes light away: a negative cosine counts as 0")
-ANSWERS(lit_behind, with_behind(in, lights, 1),
-        "a light behind the surface lights it: a negative cosine counts as 0")
-ANSWERS(sum_clamped, not_below_0(with_behind(in, lights, -1)),
-        "a light behind the surface takes light away: each negative cosine counts as 0, not only a "
-        "negative sum")
-
 static OracleNear turned_round(ShadeJob in, const Light *lights)
 {
     in.normal = vec3_scaled(in.normal, -1);
     return shaded(in, lights);
 }
-
-ANSWERS(way_turned, turned_round(in, lights),
-        "the way leads from the light to the point: the light's position less the point is the way "
-        "to it")
 
 // Without cosines: of all lights, or of those before the surface.
 static OracleNear uncosined(ShadeJob in, const Light *lights, int of_all)
@@ -183,10 +174,6 @@ static OracleNear uncosined(ShadeJob in, const Light *lights, int of_all)
     }
     return sum;
 }
-
-#define NO_COSINE "the cosine is missing: the share of each light is multiplied by it"
-ANSWERS(no_cosine, uncosined(in, lights, 1), NO_COSINE)
-ANSWERS(no_cosine_before, uncosined(in, lights, 0), NO_COSINE)
 
 // Of the number of lights.
 static ShadeJob lit_by(ShadeJob in, int n_lights)
@@ -213,21 +200,6 @@ static int n_before_one_behind(ShadeJob in, const Light *lights)
 #define FIRST_ONLY(n)                                                                              \
     ANSWERS(first_##n, FIRST_LIGHTS(n), "that is the first " #n " lights' share only")
 
-ANSWERS(first_only, FIRST_LIGHTS(1), "that is the first light's share only")
-FIRST_ONLY(4)
-FIRST_ONLY(8)
-FIRST_ONLY(16)
-FIRST_ONLY(32)
-FIRST_ONLY(64)
-FIRST_ONLY(128)
-FIRST_ONLY(256)
-ANSWERS(last_only, in.n_lights < 2 ? SHADED : shaded(lit_by(in, 1), lights + in.n_lights - 1),
-        "that is the last light's share only")
-ANSWERS(one_more, shaded(lit_by(in, in.n_lights + 1), lights),
-        "one light too many shines, the one behind the end of the array")
-ANSWERS(stops_behind, FIRST_LIGHTS(n_before_one_behind(in, lights)),
-        "the first light behind the surface ended the loop: those after it shine, too")
-
 // Of what is given.
 static ShadeJob changed(ShadeJob in, Vec3 point, float kd, Vec3 color)
 {
@@ -239,46 +211,15 @@ static ShadeJob changed(ShadeJob in, Vec3 point, float kd, Vec3 color)
 
 static const Vec3 zero = {0, 0, 0}, white = {1, 1, 1};
 
-ANSWERS(from_origin, shaded(changed(in, zero, in.material.kd, COLOR), lights),
-        "the light's place was taken for the way to it: that begins at the point")
-ANSWERS(kd_missing, shaded(changed(in, in.point, 1, COLOR), lights), "kd is missing")
-ANSWERS(color_missing, shaded(changed(in, in.point, in.material.kd, white), lights),
-        "the material's colour is missing")
-
-// Of each light's colour: with another one.
-typedef Vec3 LightColor(const ShadeJob *in, Light light, int i);
-
-static OracleNear relit(const ShadeJob *in, const Light *lights, LightColor *color)
-{
-    Light others[N_LIGHTS];
-    for (int i = 0; i < in->n_lights; i++) {
-        others[i] = (Light){lights[i].position, color(in, lights[i], i)};
-    }
-    return shaded(*in, others);
-}
-
-#define RELIT(name, color, sentence)                                                               \
-    static Vec3 name##_color(const ShadeJob *in, Light light, int i)                               \
-    {                                                                                              \
-        (void)in, (void)light, (void)i;                                                            \
-        return color;                                                                              \
+// With other colours of the lights, number k of which is `light`, `way` from the point.
+#define RELIT(name, new_color, sentence)                                                           \
+    for (int k = 0; number == 0 && k < in.n_lights; k++) {                                         \
+        const Light light = lights[k];                                                             \
+        const float way = vec3_length(vec3_minus(light.position, in.point));                       \
+        (void)way;                                                                                 \
+        others[k] = (Light){light.position, new_color};                                            \
     }                                                                                              \
-    ANSWERS(name, relit(&in, lights, name##_color), sentence)
-#define WAY vec3_length(vec3_minus(light.position, in->point))
-
-RELIT(falling_and_long, vec3_scaled(light.color, 1 / WAY),
-      "light does not fall with the distance here, and the cosine is that of a unit vector")
-RELIT(way_not_unit, vec3_scaled(light.color, WAY), "the way to the light is not made a unit vector")
-RELIT(falls, vec3_scaled(light.color, 1 / (WAY * WAY)),
-      "the light falls with the square of the distance, and must not")
-RELIT(no_light_color, white, "the light's colour is missing")
-RELIT(light_red_only, ((Vec3){light.color.x, light.color.x, light.color.x}),
-      "the light's red was taken for its whole colour")
-RELIT(light_cut_at_1,
-      ((Vec3){fminf(light.color.x, 1), fminf(light.color.y, 1), fminf(light.color.z, 1)}),
-      "each light was cut at 1, but a light may be brighter")
-RELIT(kd_each_time, vec3_scaled(light.color, powf(in->material.kd, (float)(in->n_lights - 1 - i))),
-      "the sum so far is multiplied by kd with each light")
+    ANSWERS(name, shaded(in, others), sentence)
 
 // Every light with the colour, or the place, of one of them.
 static OracleNear lit_alike(ShadeJob in, const Light *lights, int i, int is_place)
@@ -290,11 +231,6 @@ static OracleNear lit_alike(ShadeJob in, const Light *lights, int i, int is_plac
     }
     return shaded(in, others);
 }
-
-ANY(color_of_one, 2, IS_FOUND(lit_alike(in, lights, way ? in.n_lights - 1 : 0, 0)),
-    "every light has the colour of the same one")
-ANY(place_of_one, 2, IS_FOUND(lit_alike(in, lights, way ? in.n_lights - 1 : 0, 1)),
-    "every light stands where the same one does")
 
 // Of the sum.
 static OracleNear brightest(ShadeJob in, const Light *lights)
@@ -343,34 +279,90 @@ static OracleNear bent(OracleNear color, double power)
 
 #define SUM SHADED.value
 
-ANSWERS(brightest_only, brightest(in, lights),
-        "that is the brightest light's share only: the colour is the sum")
-EACH(mean,
-     in.n_lights == 0 ||
-         IS_FOUND(((OracleNear){vector_scaled(1.0 / in.n_lights, SUM), SHADED.error})),
-     "the sum was divided by the number of lights")
-ANSWERS(cut_at_1, ((OracleNear){{fmin(SUM.x, 1), fmin(SUM.y, 1), fmin(SUM.z, 1)}, SHADED.error}),
-        "the sum was cut at 1, but many lights may be brighter")
-ANSWERS(highlight, highlighted(in, lights),
-        "a highlight was added, with ks: Lambert's law has none")
-ANSWERS(swapped, ((OracleNear){{SUM.z, SUM.y, SUM.x}, SHADED.error}),
-        "that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED)
-ANSWERS(encoded, bent(SHADED, 1 / 2.2),
-        "that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
-        MISTAKE_GAMMA)
-ANSWERS(decoded, bent(SHADED, 2.2),
-        "that is right but for gamma: the colour was raised to 2.2, but it is linear here",
-        MISTAKE_GAMMA)
+KNOWN_LIST(known_shades)
+{
+    GIVEN;
+    Light others[N_LIGHTS];
 
-static const Known *const known_shades[] = {
-    &not_clamped,    &lit_behind,     &way_turned,       &sum_clamped,      &first_only,
-    &first_4,        &first_8,        &first_16,         &first_32,         &first_64,
-    &first_128,      &first_256,      &last_only,        &one_more,         &stops_behind,
-    &from_origin,    &kd_missing,     &color_missing,    &way_not_unit,     &falls,
-    &no_light_color, &light_red_only, &light_cut_at_1,   &kd_each_time,     &brightest_only,
-    &mean,           &cut_at_1,       &highlight,        &swapped,          &encoded,
-    &decoded,        &no_cosine,      &no_cosine_before, &falling_and_long, &color_of_one,
-    &place_of_one};
+    ANSWERS(not_clamped, with_behind(in, lights, -1),
+            "a light behind the surface takes light away: a negative cosine counts as 0");
+    ANSWERS(lit_behind, with_behind(in, lights, 1),
+            "a light behind the surface lights it: a negative cosine counts as 0");
+    ANSWERS(sum_clamped, not_below_0(with_behind(in, lights, -1)),
+            "a light behind the surface takes light away: each negative cosine counts as 0, not "
+            "only a negative sum");
+
+    ANSWERS(way_turned, turned_round(in, lights),
+            "the way leads from the light to the point: the light's position less the point is the "
+            "way to it");
+
+#define NO_COSINE "the cosine is missing: the share of each light is multiplied by it"
+    ANSWERS(no_cosine, uncosined(in, lights, 1), NO_COSINE);
+    ANSWERS(no_cosine_before, uncosined(in, lights, 0), NO_COSINE);
+
+    ANSWERS(first_only, FIRST_LIGHTS(1), "that is the first light's share only");
+    FIRST_ONLY(4);
+    FIRST_ONLY(8);
+    FIRST_ONLY(16);
+    FIRST_ONLY(32);
+    FIRST_ONLY(64);
+    FIRST_ONLY(128);
+    FIRST_ONLY(256);
+    ANSWERS(last_only, in.n_lights < 2 ? SHADED : shaded(lit_by(in, 1), lights + in.n_lights - 1),
+            "that is the last light's share only");
+    ANSWERS(one_more, shaded(lit_by(in, in.n_lights + 1), lights),
+            "one light too many shines, the one behind the end of the array");
+    ANSWERS(stops_behind, FIRST_LIGHTS(n_before_one_behind(in, lights)),
+            "the first light behind the surface ended the loop: those after it shine, too");
+
+    ANSWERS(from_origin, shaded(changed(in, zero, in.material.kd, COLOR), lights),
+            "the light's place was taken for the way to it: that begins at the point");
+    ANSWERS(kd_missing, shaded(changed(in, in.point, 1, COLOR), lights), "kd is missing");
+    ANSWERS(color_missing, shaded(changed(in, in.point, in.material.kd, white), lights),
+            "the material's colour is missing");
+
+    RELIT(falling_and_long, vec3_scaled(light.color, 1 / way),
+          "light does not fall with the distance here, and the cosine is that of a unit vector");
+    RELIT(way_not_unit, vec3_scaled(light.color, way),
+          "the way to the light is not made a unit vector");
+    RELIT(falls, vec3_scaled(light.color, 1 / (way * way)),
+          "the light falls with the square of the distance, and must not");
+    RELIT(no_light_color, white, "the light's colour is missing");
+    RELIT(light_red_only, ((Vec3){light.color.x, light.color.x, light.color.x}),
+          "the light's red was taken for its whole colour");
+    RELIT(light_cut_at_1,
+          ((Vec3){fminf(light.color.x, 1), fminf(light.color.y, 1), fminf(light.color.z, 1)}),
+          "each light was cut at 1, but a light may be brighter");
+    RELIT(kd_each_time,
+          vec3_scaled(light.color, powf(in.material.kd, (float)(in.n_lights - 1 - k))),
+          "the sum so far is multiplied by kd with each light");
+
+    ANY(color_of_one, 2, IS_FOUND(lit_alike(in, lights, way ? in.n_lights - 1 : 0, 0)),
+        "every light has the colour of the same one");
+    ANY(place_of_one, 2, IS_FOUND(lit_alike(in, lights, way ? in.n_lights - 1 : 0, 1)),
+        "every light stands where the same one does");
+
+    ANSWERS(brightest_only, brightest(in, lights),
+            "that is the brightest light's share only: the colour is the sum");
+    EACH(mean,
+         in.n_lights == 0 ||
+             IS_FOUND(((OracleNear){vector_scaled(1.0 / in.n_lights, SUM), SHADED.error})),
+         "the sum was divided by the number of lights");
+    ANSWERS(cut_at_1,
+            ((OracleNear){{fmin(SUM.x, 1), fmin(SUM.y, 1), fmin(SUM.z, 1)}, SHADED.error}),
+            "the sum was cut at 1, but many lights may be brighter");
+    ANSWERS(highlight, highlighted(in, lights),
+            "a highlight was added, with ks: Lambert's law has none");
+    ANSWERS(swapped, ((OracleNear){{SUM.z, SUM.y, SUM.x}, SHADED.error}),
+            "that is right with red and blue swapped", MISTAKE_CHANNELS_SWAPPED);
+    ANSWERS(encoded, bent(SHADED, 1 / 2.2),
+            "that is right but for gamma: the colour was raised to 1 / 2.2, but it is linear here",
+            MISTAKE_GAMMA);
+    ANSWERS(decoded, bent(SHADED, 2.2),
+            "that is right but for gamma: the colour was raised to 2.2, but it is linear here",
+            MISTAKE_GAMMA);
+    return NO_MORE;
+}
 
 static char *describe_shade(const void *job, int i, const void *answers)
 {

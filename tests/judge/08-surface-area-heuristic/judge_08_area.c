@@ -30,28 +30,6 @@ RIGHT(is_area, IS_FOUND(AREA))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-ANSWERS(one_side, AREA / 2, "that is half of the faces: each has its like on the other side")
-ANSWERS(without_x, AREA - 2 * Y * Z, "the two faces at right angles to x are missing")
-ANSWERS(without_y, AREA - 2 * Z * X, "the two faces at right angles to y are missing")
-ANSWERS(without_z, AREA - 2 * X * Y, "the two faces at right angles to z are missing")
-EACH(one_twice,
-     IS_FOUND(4 * Y * Z + 2 * Z * X) || IS_FOUND(4 * Y * Z + 2 * X * Y) ||
-         IS_FOUND(4 * Z * X + 2 * X * Y) || IS_FOUND(4 * Z * X + 2 * Y * Z) ||
-         IS_FOUND(4 * X * Y + 2 * Y * Z) || IS_FOUND(4 * X * Y + 2 * Z * X),
-     "one pair of faces counts twice, and another one is missing")
-EACH(cube, IS_FOUND(6 * Y * Z) || IS_FOUND(6 * Z * X) || IS_FOUND(6 * X * Y),
-     "that is six times one of the faces: the sides may differ")
-ANSWERS(edges, 4 * (X + Y + Z), "that is the length of the twelve edges")
-ANSWERS(lengths, X + Y + Z, "that is the sum of the three lengths")
-ANSWERS(volume, (X * Y * Z), "that is the volume")
-ANSWERS(flat_is_nothing, (X * Y * Z) == 0 ? 0 : AREA,
-        "a flat box has no volume, and still two faces")
-ANSWERS(flat_has_one_side, (X * Y * Z) == 0 ? AREA / 2 : AREA,
-        "a flat box has two faces, too: both count")
-EACH(two_once,
-     IS_FOUND(AREA / 2 + X * Y) || IS_FOUND(AREA / 2 + Y * Z) || IS_FOUND(AREA / 2 + Z * X),
-     "only one pair of faces counts twice: each has its like on the other side")
-
 // One of the three products is a side times itself.
 static int has_square(BBox3D in, double found)
 {
@@ -63,9 +41,6 @@ static int has_square(BBox3D in, double found)
     }
     return is_found;
 }
-
-EACH(square, has_square(in, found),
-     "a side is multiplied by itself: a face has two sides on different axes")
 
 // One length is another difference, or a sum, of two of the six coordinates.
 static double end_of(BBox3D in, int k)
@@ -81,9 +56,6 @@ static double with_length(BBox3D in, int way)
     return area_of(sides[0], sides[1], sides[2]);
 }
 
-ANY(other_length, 216, IS_FOUND(with_length(in, way)),
-    "one length is not its axis' maximum minus its minimum: something else is computed")
-
 // A bit for each of the three products: taken off, or divided.
 static double with_faces(BBox3D in, int way)
 {
@@ -96,38 +68,67 @@ static double with_faces(BBox3D in, int way)
     return 2 * sum;
 }
 
-ANY(other_faces, 16, IS_FOUND(with_faces(in, way)),
-    "of each pair of axes the two lengths are multiplied, and the three products added")
-// What a number beyond 32 bits is as a whole one, C leaves open.
-EACH(whole_lengths, fmax(fmax(X, Y), Z) > 0x1p30 || IS_FOUND(area_of(trunc(X), trunc(Y), trunc(Z))),
-     "the lengths were cut to whole numbers")
-ANSWERS(whole_area, trunc(AREA), "the area was cut to a whole number")
-ANSWERS(from_zero, area_of(in.max[0], in.max[1], in.max[2]),
-        "that is as if every box began at 0: a length is max - min")
-EACH(other_min,
-     IS_FOUND(area_of(FROM(0, 1), Y, Z)) || IS_FOUND(area_of(FROM(0, 2), Y, Z)) ||
-         IS_FOUND(area_of(X, FROM(1, 0), Z)) || IS_FOUND(area_of(X, FROM(1, 2), Z)) ||
-         IS_FOUND(area_of(X, Y, FROM(2, 0))) || IS_FOUND(area_of(X, Y, FROM(2, 1))),
-     "one length goes from the lowest coordinate of another axis")
-
 #define UNSIGNED(axis) (fabs((double)in.max[axis]) - fabs((double)in.min[axis]))
-EACH(signs,
-     IS_FOUND(area_of(UNSIGNED(0), UNSIGNED(1), UNSIGNED(2))) ||
-         IS_FOUND(area_of(fabs(UNSIGNED(0)), fabs(UNSIGNED(1)), fabs(UNSIGNED(2)))),
-     "coordinates may be negative: a length is max - min, with their signs")
 
 // Only the tiny box is smaller, and only those that overflow in float are larger.
 #define LONGEST fmax(fmax(X, Y), Z)
-ONLY(small_lost, LONGEST < 0x1p-16 && found == 0,
-     "however small a box is, it has an area: no epsilon")
-ONLY(large_lost, LONGEST > 0x1p60 && !isfinite(found),
-     "in float a large box overflows: lengths and area are to be double")
 
-static const Known *const known[] = {
-    &one_side,   &without_x, &without_y,    &without_z,       &one_twice,         &cube,
-    &edges,      &lengths,   &volume,       &flat_is_nothing, &flat_has_one_side, &whole_lengths,
-    &whole_area, &from_zero, &other_min,    &signs,           &small_lost,        &large_lost,
-    &two_once,   &square,    &other_length, &other_faces};
+KNOWN_LIST(known)
+{
+    GIVEN;
+
+    ANSWERS(one_side, AREA / 2, "that is half of the faces: each has its like on the other side");
+    ANSWERS(without_x, AREA - 2 * Y * Z, "the two faces at right angles to x are missing");
+    ANSWERS(without_y, AREA - 2 * Z * X, "the two faces at right angles to y are missing");
+    ANSWERS(without_z, AREA - 2 * X * Y, "the two faces at right angles to z are missing");
+    EACH(one_twice,
+         IS_FOUND(4 * Y * Z + 2 * Z * X) || IS_FOUND(4 * Y * Z + 2 * X * Y) ||
+             IS_FOUND(4 * Z * X + 2 * X * Y) || IS_FOUND(4 * Z * X + 2 * Y * Z) ||
+             IS_FOUND(4 * X * Y + 2 * Y * Z) || IS_FOUND(4 * X * Y + 2 * Z * X),
+         "one pair of faces counts twice, and another one is missing");
+    EACH(cube, IS_FOUND(6 * Y * Z) || IS_FOUND(6 * Z * X) || IS_FOUND(6 * X * Y),
+         "that is six times one of the faces: the sides may differ");
+    ANSWERS(edges, 4 * (X + Y + Z), "that is the length of the twelve edges");
+    ANSWERS(lengths, X + Y + Z, "that is the sum of the three lengths");
+    ANSWERS(volume, (X * Y * Z), "that is the volume");
+    ANSWERS(flat_is_nothing, (X * Y * Z) == 0 ? 0 : AREA,
+            "a flat box has no volume, and still two faces");
+    ANSWERS(flat_has_one_side, (X * Y * Z) == 0 ? AREA / 2 : AREA,
+            "a flat box has two faces, too: both count");
+    EACH(two_once,
+         IS_FOUND(AREA / 2 + X * Y) || IS_FOUND(AREA / 2 + Y * Z) || IS_FOUND(AREA / 2 + Z * X),
+         "only one pair of faces counts twice: each has its like on the other side");
+
+    EACH(square, has_square(in, found),
+         "a side is multiplied by itself: a face has two sides on different axes");
+
+    ANY(other_length, 216, IS_FOUND(with_length(in, way)),
+        "one length is not its axis' maximum minus its minimum: something else is computed");
+
+    ANY(other_faces, 16, IS_FOUND(with_faces(in, way)),
+        "of each pair of axes the two lengths are multiplied, and the three products added");
+    // What a number beyond 32 bits is as a whole one, C leaves open.
+    EACH(whole_lengths,
+         fmax(fmax(X, Y), Z) > 0x1p30 || IS_FOUND(area_of(trunc(X), trunc(Y), trunc(Z))),
+         "the lengths were cut to whole numbers");
+    ANSWERS(whole_area, trunc(AREA), "the area was cut to a whole number");
+    ANSWERS(from_zero, area_of(in.max[0], in.max[1], in.max[2]),
+            "that is as if every box began at 0: a length is max - min");
+    EACH(other_min,
+         IS_FOUND(area_of(FROM(0, 1), Y, Z)) || IS_FOUND(area_of(FROM(0, 2), Y, Z)) ||
+             IS_FOUND(area_of(X, FROM(1, 0), Z)) || IS_FOUND(area_of(X, FROM(1, 2), Z)) ||
+             IS_FOUND(area_of(X, Y, FROM(2, 0))) || IS_FOUND(area_of(X, Y, FROM(2, 1))),
+         "one length goes from the lowest coordinate of another axis");
+    EACH(signs,
+         IS_FOUND(area_of(UNSIGNED(0), UNSIGNED(1), UNSIGNED(2))) ||
+             IS_FOUND(area_of(fabs(UNSIGNED(0)), fabs(UNSIGNED(1)), fabs(UNSIGNED(2)))),
+         "coordinates may be negative: a length is max - min, with their signs");
+    ONLY(small_lost, LONGEST < 0x1p-16 && found == 0,
+         "however small a box is, it has an area: no epsilon");
+    ONLY(large_lost, LONGEST > 0x1p60 && !isfinite(found),
+         "in float a large box overflows: lengths and area are to be double");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

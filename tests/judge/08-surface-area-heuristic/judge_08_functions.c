@@ -77,64 +77,6 @@ static CostJob across_x(CostJob in)
     return in;
 }
 
-ANSWERS(by_edges, with_tests(tests_by(edges, in)),
-        "that weighs by the lengths of edges: a ray in space meets a box by its surface")
-// Of a flat cell comes 0 / 0.
-EACH(by_volume, volume(in.box) == 0 || IS_FOUND(with_tests(tests_by(volume, in))),
-     "that weighs by volume: so a point meets a box, and not a ray")
-ANSWERS(both_in_full, with_tests(N_L + N_H),
-        "both children count in full, as if every ray met both")
-ANSWERS(no_traversal, (SAH_TEST * TESTS),
-        "the step at the node itself is missing: KD_COST_TRAVERSAL")
-ANSWERS(no_test, SAH_TRAVERSAL + TESTS, "a test costs KD_COST_TEST, not 1")
-ANSWERS(constants_swapped, SAH_TEST + SAH_TRAVERSAL * TESTS,
-        "the two constants stand in each other's place")
-ANSWERS(no_division, with_tests((TESTS * A)), "that is not divided by the area of the cell itself")
-ANSWERS(counts_swapped, with_tests((L * N_H + H * N_L) / A),
-        "each child's area goes with the other one's spheres")
-ANSWERS(shares_of_sum, with_tests((L * N_L + H * N_H) / (L + H)),
-        "the two probabilities do not add up to 1: a ray may meet both children")
-ANSWERS(no_both, with_tests(((A - H) * N_L + H * N_H) / A),
-        "a ray that meets both children pays for both: nothing is taken off")
-ANSWERS(higher_is_rest, with_tests((L * N_L + (A - L) * N_H) / A),
-        "that is as if a ray met one child alone: the second probability is not 1 minus the first")
-ANSWERS(lower_uncut, with_tests((A * N_L + H * N_H) / A),
-        "the lower child's box is not cut at the plane")
-ANSWERS(higher_uncut, with_tests((L * N_L + A * N_H) / A),
-        "the higher child's box is not cut at the plane")
-ANSWERS(cut_across_x, cost_of(job, across_x(in)),
-        "the children are cut across x, whatever the split's axis is")
-ANSWERS(one_at_least, with_tests((L * fmax(N_L, 1) + H * fmax(N_H, 1)) / A),
-        "a child without spheres costs no test")
-ANSWERS(whole_tests, with_tests(trunc(TESTS)),
-        "the expected number of tests was cut to a whole number")
-ANSWERS(all_multiplied, (SAH_TRAVERSAL + SAH_TEST) * TESTS,
-        "KD_COST_TRAVERSAL is added: what is expected multiplies KD_COST_TEST alone")
-ANSWERS(lower_tests, SAH_TRAVERSAL + (SAH_TEST * L * N_L + H * N_H) / A,
-        "KD_COST_TEST multiplies the tests of both children, not of the lower one alone")
-ANSWERS(lower_only, with_tests((L * N_L) / A), "the higher child is missing")
-ANSWERS(higher_only, with_tests((H * N_H) / A), "the lower child is missing")
-ANSWERS(both_lower, with_tests(L *(N_L + N_H) / A),
-        "both children's boxes are cut on the same side: one keeps the cell's minimum, the other "
-        "its maximum")
-ANSWERS(both_higher, with_tests(H *(N_L + N_H) / A),
-        "both children's boxes are cut on the same side: one keeps the cell's minimum, the other "
-        "its maximum")
-ANSWERS(all_in_both, with_tests((L + H) * (N_L + N_H) / A),
-        "each child counts its own spheres only, not those of both")
-ANSWERS(lower_undivided, with_tests(L *N_L + H * N_H / A), ONE_DIVIDED)
-ANSWERS(higher_undivided, with_tests(L *N_L / A + H * N_H), ONE_DIVIDED)
-ANSWERS(mean, with_tests(TESTS / 2), "the two parts add up: a sum of expected tests is no mean")
-ANSWERS(two_steps, SAH_TRAVERSAL + with_tests(TESTS),
-        "KD_COST_TRAVERSAL is paid once for a split, not for each child")
-ANSWERS(all_divided, with_tests(TESTS) - SAH_TRAVERSAL + SAH_TRAVERSAL / A,
-        "the step is paid in full: only the areas are divided by the cell's")
-ANSWERS(flat_is_missed,
-        with_tests(((in.pos > in.box.min[in.axis]) * L * N_L +
-                    (in.pos < in.box.max[in.axis]) * H * N_H) /
-                   A),
-        "a child that the plane leaves flat still has a surface, and rays meet it")
-
 // With an empty child all of it is cheaper, or the tests are.
 static double with_bonus(const Job *job, CostJob in, double of_step, double of_tests)
 {
@@ -142,23 +84,6 @@ static double with_bonus(const Job *job, CostJob in, double of_step, double of_t
                ? of_step * SAH_TRAVERSAL + of_tests * SAH_TEST * TESTS
                : COST;
 }
-
-EACH(bonus,
-     IS_FOUND(with_bonus(job, in, 0.8, 0.8)) || IS_FOUND(with_bonus(job, in, 0.5, 0.5)) ||
-         IS_FOUND(with_bonus(job, in, 1, 0.8)) || IS_FOUND(with_bonus(job, in, 1, 0.5)),
-     "that a child is empty makes a split no cheaper: the formula has no bonus for it")
-ANSWERS(empty_saves_step, with_bonus(job, in, 0, 1), "the step is paid where a child is empty, too")
-ANSWERS(none_saves_step, N_L + N_H == 0 ? 0 : COST,
-        "the step is paid where both children are empty, too")
-
-ANSWERS(empty_is_missed, N_L == 0 || N_H == 0 ? with_tests(N_L + N_H) : COST,
-        "with one child empty all spheres of the other were counted in full: a ray meets it only "
-        "with the probability area over area, too")
-ANSWERS(mean_area, with_tests((L + H) / 2 * (N_L + N_H) / A),
-        "each child's area goes with its own spheres, not a mean area with all of them")
-ANSWERS(taken_off, SAH_TRAVERSAL - SAH_TEST * TESTS, "the step and the tests add up")
-ANSWERS(multiplied_by_cell, with_tests(TESTS *A *A),
-        "that is multiplied by the area of the cell, and is to be divided by it")
 
 // Of the fraction each part is another: an area, a number of spheres; their difference.
 static double fraction_of(const Job *job, CostJob in, int way)
@@ -170,27 +95,102 @@ static double fraction_of(const Job *job, CostJob in, int way)
     return (way / 81 % 2 ? lower - higher : lower + higher) / divisors[way / 162];
 }
 
-ANY(other_fraction, 810, IS_FOUND(with_tests(fraction_of(job, in, way))),
-    "each child's area times its own spheres, both added and divided by the cell's area: one of "
-    "these parts is another")
-
 // All with more spheres in a child than that are wrong, and no others.
 #define IS_LOST_ABOVE(count)                                                                       \
     ((in.n_lower > (count) || in.n_higher > (count)) != is_cost(job, i, answers))
-EACH(lost_signed, IS_LOST_ABOVE(INT32_MAX),
-     "only splits of very many spheres are wrong: 32 bits with a sign do not hold their count")
-EACH(lost_short, IS_LOST_ABOVE(UINT16_MAX),
-     "only splits of many spheres are wrong: 16 bits do not hold their count")
 
-static const Known *const cost_known[] = {
-    &by_edges,          &by_volume,      &both_in_full,       &no_traversal,    &no_test,
-    &constants_swapped, &no_division,    &counts_swapped,     &shares_of_sum,   &no_both,
-    &higher_is_rest,    &lower_uncut,    &higher_uncut,       &cut_across_x,    &one_at_least,
-    &whole_tests,       &all_multiplied, &lower_tests,        &lower_only,      &higher_only,
-    &flat_is_missed,    &bonus,          &empty_saves_step,   &none_saves_step, &lost_signed,
-    &lost_short,        &both_lower,     &both_higher,        &all_in_both,     &lower_undivided,
-    &higher_undivided,  &mean,           &two_steps,          &all_divided,     &empty_is_missed,
-    &mean_area,         &taken_off,      &multiplied_by_cell, &other_fraction};
+KNOWN_LIST(cost_known)
+{
+    GIVEN;
+
+    ANSWERS(by_edges, with_tests(tests_by(edges, in)),
+            "that weighs by the lengths of edges: a ray in space meets a box by its surface");
+    // Of a flat cell comes 0 / 0.
+    EACH(by_volume, volume(in.box) == 0 || IS_FOUND(with_tests(tests_by(volume, in))),
+         "that weighs by volume: so a point meets a box, and not a ray");
+    ANSWERS(both_in_full, with_tests(N_L + N_H),
+            "both children count in full, as if every ray met both");
+    ANSWERS(no_traversal, (SAH_TEST * TESTS),
+            "the step at the node itself is missing: KD_COST_TRAVERSAL");
+    ANSWERS(no_test, SAH_TRAVERSAL + TESTS, "a test costs KD_COST_TEST, not 1");
+    ANSWERS(constants_swapped, SAH_TEST + SAH_TRAVERSAL * TESTS,
+            "the two constants stand in each other's place");
+    ANSWERS(no_division, with_tests((TESTS * A)),
+            "that is not divided by the area of the cell itself");
+    ANSWERS(counts_swapped, with_tests((L * N_H + H * N_L) / A),
+            "each child's area goes with the other one's spheres");
+    ANSWERS(shares_of_sum, with_tests((L * N_L + H * N_H) / (L + H)),
+            "the two probabilities do not add up to 1: a ray may meet both children");
+    ANSWERS(no_both, with_tests(((A - H) * N_L + H * N_H) / A),
+            "a ray that meets both children pays for both: nothing is taken off");
+    ANSWERS(
+        higher_is_rest, with_tests((L * N_L + (A - L) * N_H) / A),
+        "that is as if a ray met one child alone: the second probability is not 1 minus the first");
+    ANSWERS(lower_uncut, with_tests((A * N_L + H * N_H) / A),
+            "the lower child's box is not cut at the plane");
+    ANSWERS(higher_uncut, with_tests((L * N_L + A * N_H) / A),
+            "the higher child's box is not cut at the plane");
+    ANSWERS(cut_across_x, cost_of(job, across_x(in)),
+            "the children are cut across x, whatever the split's axis is");
+    ANSWERS(one_at_least, with_tests((L * fmax(N_L, 1) + H * fmax(N_H, 1)) / A),
+            "a child without spheres costs no test");
+    ANSWERS(whole_tests, with_tests(trunc(TESTS)),
+            "the expected number of tests was cut to a whole number");
+    ANSWERS(all_multiplied, (SAH_TRAVERSAL + SAH_TEST) * TESTS,
+            "KD_COST_TRAVERSAL is added: what is expected multiplies KD_COST_TEST alone");
+    ANSWERS(lower_tests, SAH_TRAVERSAL + (SAH_TEST * L * N_L + H * N_H) / A,
+            "KD_COST_TEST multiplies the tests of both children, not of the lower one alone");
+    ANSWERS(lower_only, with_tests((L * N_L) / A), "the higher child is missing");
+    ANSWERS(higher_only, with_tests((H * N_H) / A), "the lower child is missing");
+    ANSWERS(both_lower, with_tests(L * (N_L + N_H) / A),
+            "both children's boxes are cut on the same side: one keeps the cell's minimum, the "
+            "other its maximum");
+    ANSWERS(both_higher, with_tests(H * (N_L + N_H) / A),
+            "both children's boxes are cut on the same side: one keeps the cell's minimum, the "
+            "other its maximum");
+    ANSWERS(all_in_both, with_tests((L + H) * (N_L + N_H) / A),
+            "each child counts its own spheres only, not those of both");
+    ANSWERS(lower_undivided, with_tests(L * N_L + H * N_H / A), ONE_DIVIDED);
+    ANSWERS(higher_undivided, with_tests(L * N_L / A + H * N_H), ONE_DIVIDED);
+    ANSWERS(mean, with_tests(TESTS / 2),
+            "the two parts add up: a sum of expected tests is no mean");
+    ANSWERS(two_steps, SAH_TRAVERSAL + with_tests(TESTS),
+            "KD_COST_TRAVERSAL is paid once for a split, not for each child");
+    ANSWERS(all_divided, with_tests(TESTS) - SAH_TRAVERSAL + SAH_TRAVERSAL / A,
+            "the step is paid in full: only the areas are divided by the cell's");
+    ANSWERS(flat_is_missed,
+            with_tests(((in.pos > in.box.min[in.axis]) * L * N_L +
+                        (in.pos < in.box.max[in.axis]) * H * N_H) /
+                       A),
+            "a child that the plane leaves flat still has a surface, and rays meet it");
+
+    EACH(bonus,
+         IS_FOUND(with_bonus(job, in, 0.8, 0.8)) || IS_FOUND(with_bonus(job, in, 0.5, 0.5)) ||
+             IS_FOUND(with_bonus(job, in, 1, 0.8)) || IS_FOUND(with_bonus(job, in, 1, 0.5)),
+         "that a child is empty makes a split no cheaper: the formula has no bonus for it");
+    ANSWERS(empty_saves_step, with_bonus(job, in, 0, 1),
+            "the step is paid where a child is empty, too");
+    ANSWERS(none_saves_step, N_L + N_H == 0 ? 0 : COST,
+            "the step is paid where both children are empty, too");
+
+    ANSWERS(empty_is_missed, N_L == 0 || N_H == 0 ? with_tests(N_L + N_H) : COST,
+            "with one child empty all spheres of the other were counted in full: a ray meets it "
+            "only with the probability area over area, too");
+    ANSWERS(mean_area, with_tests((L + H) / 2 * (N_L + N_H) / A),
+            "each child's area goes with its own spheres, not a mean area with all of them");
+    ANSWERS(taken_off, SAH_TRAVERSAL - SAH_TEST * TESTS, "the step and the tests add up");
+    ANSWERS(multiplied_by_cell, with_tests(TESTS * A * A),
+            "that is multiplied by the area of the cell, and is to be divided by it");
+
+    ANY(other_fraction, 810, IS_FOUND(with_tests(fraction_of(job, in, way))),
+        "each child's area times its own spheres, both added and divided by the cell's area: one "
+        "of these parts is another");
+    EACH(lost_signed, IS_LOST_ABOVE(INT32_MAX),
+         "only splits of very many spheres are wrong: 32 bits with a sign do not hold their count");
+    EACH(lost_short, IS_LOST_ABOVE(UINT16_MAX),
+         "only splits of many spheres are wrong: 16 bits do not hold their count");
+    return NO_MORE;
+}
 
 // ---- split_cost: answers ------------------------------------------------------------------------
 
@@ -243,58 +243,6 @@ RIGHT(is_decision, IS_FOUND(IS_LEAF))
 
 // ---- is_leaf_by_cost: mistakes ------------------------------------------------------------------
 
-ANSWERS(level_more, in.level > in.maxDepth || IS_SMALL || IS_DEAR,
-        "on level maxDepth itself a node stays a leaf")
-ANSWERS(level_less, in.level + 1 >= in.maxDepth || IS_SMALL || IS_DEAR,
-        "a node on the level before maxDepth may be split")
-ANSWERS(fewer, IS_DEEP || (int64_t)in.n_spheres < in.targetElementsPerNode || IS_DEAR,
-        "with just targetElementsPerNode spheres it stays a leaf")
-ANSWERS(equal_is_split, IS_DEEP || IS_SMALL || in.best_cost > LEAF_COST,
-        "a split that costs as much as the leaf gains nothing")
-ANSWERS(no_depth, IS_SMALL || IS_DEAR, "maxDepth is not looked at")
-ANSWERS(no_target, IS_DEEP || IS_DEAR, "targetElementsPerNode is not looked at")
-ANSWERS(no_cost, IS_DEEP || IS_SMALL, "the cost does not end the splitting by itself, as it should")
-ANSWERS(leaf_steps, IS_DEEP || IS_SMALL || in.best_cost >= LEAF_COST + SAH_TRAVERSAL,
-        "a leaf chooses no child: KD_COST_TRAVERSAL is in the split's cost alone, and stays there")
-ANSWERS(tests_cost_1, IS_DEEP || IS_SMALL || in.best_cost >= in.n_spheres,
-        "a test costs KD_COST_TEST, not 1")
-ANSWERS(reversed, IS_DEEP || IS_SMALL || in.best_cost < LEAF_COST,
-        "the other way round: the cheaper of the two is right")
-ANSWERS(both_limits, (IS_DEEP && IS_SMALL) || IS_DEAR,
-        "each limit ends the splitting by itself, not only both together")
-ANSWERS(is_signed, IS_DEEP || (i32)in.n_spheres <= in.targetElementsPerNode || IS_DEAR,
-        "as an int the number of very many spheres is negative: the limit is to be unsigned, not "
-        "the number signed")
-
-ANSWERS(level_equal, in.level == in.maxDepth || IS_SMALL || IS_DEAR,
-        "a level may also be beyond maxDepth: it is a limit, not one number")
-ANSWERS(target_equal, IS_DEEP || (int64_t)in.n_spheres == in.targetElementsPerNode || IS_DEAR,
-        "there may also be fewer spheres than targetElementsPerNode: it is a limit, not one number")
-ANSWERS(both_strict,
-        in.level > in.maxDepth || (int64_t)in.n_spheres < in.targetElementsPerNode || IS_DEAR,
-        "on level maxDepth itself, and with just targetElementsPerNode spheres, a node stays a "
-        "leaf")
-ANSWERS(split_steps, IS_DEEP || IS_SMALL || in.best_cost + SAH_TRAVERSAL >= LEAF_COST,
-        "KD_COST_TRAVERSAL is in best_cost already: it counts once")
-ANSWERS(all_must, IS_DEEP &&IS_SMALL &&IS_DEAR, EACH_ENOUGH)
-ANSWERS(limit_and_cost, (IS_DEEP || IS_SMALL) && IS_DEAR, EACH_ENOUGH)
-ANSWERS(small_and_dear, IS_DEEP || (IS_SMALL && IS_DEAR), EACH_ENOUGH)
-ANSWERS(deep_and_dear, (IS_DEEP && IS_DEAR) || IS_SMALL, EACH_ENOUGH)
-ANSWERS(inverted, !IS_LEAF, "1 and 0 are swapped: 1 for a leaf")
-ANSWERS(limits_swapped,
-        in.level >= in.targetElementsPerNode || (int64_t)in.n_spheres <= in.maxDepth || IS_DEAR,
-        "the two limits are swapped: maxDepth is one of levels")
-#define COST_CUT "a cost was cut to a whole number: half a step makes a difference, too"
-ANSWERS(leaf_cut, IS_DEEP || IS_SMALL || in.best_cost >= trunc(LEAF_COST), COST_CUT)
-// What INFINITY is as a whole number, C leaves open.
-EACH(split_cut,
-     isinf(in.best_cost) || IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= LEAF_COST),
-     COST_CUT)
-EACH(both_cut,
-     isinf(in.best_cost) ||
-         IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= trunc(LEAF_COST)),
-     COST_CUT)
-
 // One of the comparisons is another; or a leaf's cost is.
 static int compares(double a, double b, int way)
 {
@@ -303,12 +251,6 @@ static int compares(double a, double b, int way)
 }
 
 #define TARGET ((double)in.targetElementsPerNode)
-ANY(other_depth, 6, IS_FOUND(compares(in.level, in.maxDepth, way) || IS_SMALL || IS_DEAR),
-    "the level is compared with maxDepth in another way: from maxDepth on a node is a leaf")
-ANY(other_target, 6, IS_FOUND(IS_DEEP || compares(in.n_spheres, TARGET, way) || IS_DEAR),
-    "the spheres are compared with targetElementsPerNode in another way: up to so many are a leaf")
-ANY(other_cost, 6, IS_FOUND(IS_DEEP || IS_SMALL || compares(in.best_cost, LEAF_COST, way)),
-    "the costs are compared in another way: where a split is not cheaper than the leaf, it is one")
 
 static double other_leaf_cost(LeafCostJob in, int way)
 {
@@ -324,15 +266,78 @@ static double other_leaf_cost(LeafCostJob in, int way)
     return costs[way];
 }
 
-ANY(other_leaf, 8, IS_FOUND(IS_DEEP || IS_SMALL || in.best_cost >= other_leaf_cost(in, way)),
-    "a leaf costs KD_COST_TEST for each of its spheres: the split is compared with something else")
+KNOWN_LIST(leaf_known)
+{
+    GIVEN;
 
-static const Known *const leaf_known[] = {
-    &level_more,     &level_less,  &fewer,          &equal_is_split, &no_depth,      &no_target,
-    &no_cost,        &leaf_steps,  &tests_cost_1,   &reversed,       &both_limits,   &is_signed,
-    &leaf_cut,       &split_cut,   &both_cut,       &level_equal,    &target_equal,  &both_strict,
-    &split_steps,    &all_must,    &limit_and_cost, &small_and_dear, &deep_and_dear, &inverted,
-    &limits_swapped, &other_depth, &other_target,   &other_cost,     &other_leaf};
+    ANSWERS(level_more, in.level > in.maxDepth || IS_SMALL || IS_DEAR,
+            "on level maxDepth itself a node stays a leaf");
+    ANSWERS(level_less, in.level + 1 >= in.maxDepth || IS_SMALL || IS_DEAR,
+            "a node on the level before maxDepth may be split");
+    ANSWERS(fewer, IS_DEEP || (int64_t)in.n_spheres < in.targetElementsPerNode || IS_DEAR,
+            "with just targetElementsPerNode spheres it stays a leaf");
+    ANSWERS(equal_is_split, IS_DEEP || IS_SMALL || in.best_cost > LEAF_COST,
+            "a split that costs as much as the leaf gains nothing");
+    ANSWERS(no_depth, IS_SMALL || IS_DEAR, "maxDepth is not looked at");
+    ANSWERS(no_target, IS_DEEP || IS_DEAR, "targetElementsPerNode is not looked at");
+    ANSWERS(no_cost, IS_DEEP || IS_SMALL,
+            "the cost does not end the splitting by itself, as it should");
+    ANSWERS(
+        leaf_steps, IS_DEEP || IS_SMALL || in.best_cost >= LEAF_COST + SAH_TRAVERSAL,
+        "a leaf chooses no child: KD_COST_TRAVERSAL is in the split's cost alone, and stays there");
+    ANSWERS(tests_cost_1, IS_DEEP || IS_SMALL || in.best_cost >= in.n_spheres,
+            "a test costs KD_COST_TEST, not 1");
+    ANSWERS(reversed, IS_DEEP || IS_SMALL || in.best_cost < LEAF_COST,
+            "the other way round: the cheaper of the two is right");
+    ANSWERS(both_limits, (IS_DEEP && IS_SMALL) || IS_DEAR,
+            "each limit ends the splitting by itself, not only both together");
+    ANSWERS(is_signed, IS_DEEP || (i32)in.n_spheres <= in.targetElementsPerNode || IS_DEAR,
+            "as an int the number of very many spheres is negative: the limit is to be unsigned, "
+            "not the number signed");
+
+    ANSWERS(level_equal, in.level == in.maxDepth || IS_SMALL || IS_DEAR,
+            "a level may also be beyond maxDepth: it is a limit, not one number");
+    ANSWERS(target_equal, IS_DEEP || (int64_t)in.n_spheres == in.targetElementsPerNode || IS_DEAR,
+            "there may also be fewer spheres than targetElementsPerNode: it is a limit, not one "
+            "number");
+    ANSWERS(both_strict,
+            in.level > in.maxDepth || (int64_t)in.n_spheres < in.targetElementsPerNode || IS_DEAR,
+            "on level maxDepth itself, and with just targetElementsPerNode spheres, a node stays a "
+            "leaf");
+    ANSWERS(split_steps, IS_DEEP || IS_SMALL || in.best_cost + SAH_TRAVERSAL >= LEAF_COST,
+            "KD_COST_TRAVERSAL is in best_cost already: it counts once");
+    ANSWERS(all_must, IS_DEEP && IS_SMALL && IS_DEAR, EACH_ENOUGH);
+    ANSWERS(limit_and_cost, (IS_DEEP || IS_SMALL) && IS_DEAR, EACH_ENOUGH);
+    ANSWERS(small_and_dear, IS_DEEP || (IS_SMALL && IS_DEAR), EACH_ENOUGH);
+    ANSWERS(deep_and_dear, (IS_DEEP && IS_DEAR) || IS_SMALL, EACH_ENOUGH);
+    ANSWERS(inverted, !IS_LEAF, "1 and 0 are swapped: 1 for a leaf");
+    ANSWERS(limits_swapped,
+            in.level >= in.targetElementsPerNode || (int64_t)in.n_spheres <= in.maxDepth || IS_DEAR,
+            "the two limits are swapped: maxDepth is one of levels");
+#define COST_CUT "a cost was cut to a whole number: half a step makes a difference, too"
+    ANSWERS(leaf_cut, IS_DEEP || IS_SMALL || in.best_cost >= trunc(LEAF_COST), COST_CUT);
+    // What INFINITY is as a whole number, C leaves open.
+    EACH(split_cut,
+         isinf(in.best_cost) || IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= LEAF_COST),
+         COST_CUT);
+    EACH(both_cut,
+         isinf(in.best_cost) ||
+             IS_FOUND(IS_DEEP || IS_SMALL || trunc(in.best_cost) >= trunc(LEAF_COST)),
+         COST_CUT);
+    ANY(other_depth, 6, IS_FOUND(compares(in.level, in.maxDepth, way) || IS_SMALL || IS_DEAR),
+        "the level is compared with maxDepth in another way: from maxDepth on a node is a leaf");
+    ANY(other_target, 6, IS_FOUND(IS_DEEP || compares(in.n_spheres, TARGET, way) || IS_DEAR),
+        "the spheres are compared with targetElementsPerNode in another way: up to so many are a "
+        "leaf");
+    ANY(other_cost, 6, IS_FOUND(IS_DEEP || IS_SMALL || compares(in.best_cost, LEAF_COST, way)),
+        "the costs are compared in another way: where a split is not cheaper than the leaf, it is "
+        "one");
+
+    ANY(other_leaf, 8, IS_FOUND(IS_DEEP || IS_SMALL || in.best_cost >= other_leaf_cost(in, way)),
+        "a leaf costs KD_COST_TEST for each of its spheres: the split is compared with something "
+        "else");
+    return NO_MORE;
+}
 
 // ---- is_leaf_by_cost: answers -------------------------------------------------------------------
 

@@ -168,54 +168,10 @@ static NextChildAnswer with_ids(const TileChildJob *in, u32 near, u32 far)
     return answer;
 }
 
-ANSWERS(swapped, child(in, !SIDE, MET), "that is as if near and far child were swapped")
-ANSWERS(lower_is_near, child(in, 0, MET),
-        "the near child is the one on the eye's side, not always the lower one")
-ANSWERS(eye_is_upper, child(in, in->eye >= in->node.split_pos, MET),
-        "an eye on the plane counts to the lower side")
-ANSWERS(is_side, with_ids(in, SIDE, !SIDE),
-        "0 and 1 are sides: the children's ids are node.first and node.first + 1")
-ANSWERS(by_bit, with_ids(in, in->node.first + SIDE, (in->node.first + SIDE) ^ 1),
-        "the two children are node.first and node.first + 1, where node.first is odd, too")
-
 // By which of them are met. A step is more than the hairs of the edges, less than what is rolled.
 #define LEAST_STEP 0x1p-10f
 #define MEETS(name, is_beyond, is_before, ...)                                                     \
     ANSWERS(name, child(in, SIDE, met(is_beyond, is_before)), __VA_ARGS__)
-MEETS(always_waits, 0, IS_BEFORE,
-      "that is as if the far child waited also where every ray's part ends before the plane")
-MEETS(never_skipped, IS_BEYOND, 0,
-      "that is as if the near child were visited also where every ray's part begins beyond the "
-      "plane")
-MEETS(far_is_near, IS_BEYOND || IS_BEFORE, 0,
-      "where every ray's part begins beyond the plane, the far child is left")
-MEETS(one_at_ends, LOW >= T_MAX, HIGH <= T_MIN,
-      "where the plane is met exactly at t_min or t_max, both children are met")
-MEETS(near_at_t_max, LOW >= T_MAX, IS_BEFORE,
-      "where the first ray meets the plane exactly at t_max, both children are met")
-MEETS(far_at_t_min, IS_BEYOND, HIGH <= T_MIN,
-      "where the last ray meets the plane exactly at t_min, both children are met")
-MEETS(other_ends, HIGH > T_MAX, LOW < T_MIN,
-      "one child is enough only where that holds for every ray: the other end of the interval "
-      "decides")
-MEETS(near_for_any, HIGH > T_MAX, IS_BEFORE,
-      "where the interval reaches beyond t_max, some rays may still meet the plane before it")
-MEETS(far_for_any, IS_BEYOND, LOW < T_MIN,
-      "where the interval begins before t_min, some rays may still meet the plane behind it")
-MEETS(epsilon, LOW > T_MAX + LEAST_STEP, HIGH < T_MIN - LEAST_STEP,
-      "beyond t_max and before t_min one child is enough, however near: without an epsilon")
-MEETS(never_is_near, IS_BEYOND || isinf(HIGH), IS_BEFORE,
-      "where some rays never meet the plane, others do: an interval that ends at INFINITY does not "
-      "mean the near child alone")
-MEETS(at_0_is_far, IS_BEYOND, IS_BEFORE || HIGH == 0,
-      "a plane that is met at 0 is met: where the part begins at 0, so are both children")
-MEETS(ends_crossed, LOW > T_MIN, HIGH < T_MAX,
-      "t_min and t_max stand in each other's place in the two comparisons")
-
-#define POINT_MEETS_BOTH                                                                           \
-    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
-MEETS(point_is_near, IS_BEYOND || (T_MIN == T_MAX && !IS_BEFORE), IS_BEFORE, POINT_MEETS_BOTH)
-MEETS(point_is_far, IS_BEYOND, IS_BEFORE || T_MIN == T_MAX, POINT_MEETS_BOTH)
 
 // By their parts.
 static TodoEntry near_to(const TileChildJob *in, float t_max)
@@ -243,68 +199,6 @@ static TodoEntry with_ends(TodoEntry entry, float t_min, float t_max)
     return (TodoEntry){entry.node, t_min, t_max};
 }
 
-PARTS(near_waits, FAR, NEAR, "the near child waits, and the far one is visited first")
-PARTS(near_keeps_t_max, near_to(in, T_MAX), FAR,
-      "the near child's part ends at the greatest t_split, where that is before t_max")
-PARTS(far_keeps_t_min, NEAR, far_from(in, T_MIN),
-      "the far child's part begins at the least t_split, where that is beyond t_min")
-PARTS(near_cut_at_low, near_to(in, fminf(T_MAX, LOW)), FAR,
-      "the near child's part ends at the least t_split: rays that meet the plane later lose some "
-      "of it")
-PARTS(near_widened, near_to(in, HIGH), FAR,
-      "the near child's part ends beyond t_max: a part never grows on the way down")
-PARTS(far_widened, NEAR, far_from(in, LOW),
-      "the far child's part begins before t_min: a part never grows on the way down")
-PARTS(both_uncut, near_to(in, HIGH), far_from(in, LOW),
-      "both parts are wider than the node's own, [t_min, t_max]: a part never grows on the way "
-      "down")
-PARTS(both_whole, near_to(in, T_MAX), far_from(in, T_MIN),
-      "both children have the whole part: the near one's ends at the greatest t_split, the far "
-      "one's begins at the least")
-PARTS(both_widened, near_to(in, fmaxf(T_MAX, HIGH)), far_from(in, fminf(T_MIN, LOW)),
-      "the least and the greatest are swapped: a part never grows on the way down")
-PARTS(far_ends, NEAR, with_ends(FAR, FAR.t_min, HIGH),
-      "the far child's part ends at t_max: behind the plane the rays are in it up to there")
-PARTS(far_cut_too, NEAR, with_ends(FAR, FAR.t_min, NEAR.t_max),
-      "the far child's part ends where the near one's does: t_max was changed before it was used "
-      "again")
-PARTS(parts_swapped, with_ends(NEAR, FAR.t_min, T_MAX), with_ends(FAR, T_MIN, NEAR.t_max),
-      "the two parts are swapped: the near child has the one up to the greatest t_split, the far "
-      "child the one from the least")
-
-#define FAR_BEGINS_LATE                                                                            \
-    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
-    "some of it"
-PARTS(far_from_high, NEAR, far_from(in, fmaxf(T_MIN, HIGH)), FAR_BEGINS_LATE)
-PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BEGINS_LATE)
-
-PARTS(parts_crossed, near_to(in, fminf(T_MAX, LOW)), far_from(in, fmaxf(T_MIN, HIGH)),
-      "the least and the greatest t_split are swapped: the near child's part ends at the greatest, "
-      "the far child's begins at the least")
-
-#define ONE_IS_ENOUGH                                                                              \
-    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
-    "before it, one of them is enough"
-MEETS(both_always, 0, 0, ONE_IS_ENOUGH)
-ANSWERS(always_whole, visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN)),
-        ONE_IS_ENOUGH)
-ANSWERS(always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
-        ONE_IS_ENOUGH)
-
-ANSWERS(far_alone, MET == FAR_ONLY ? visited(in, MET, NEAR, far_from(in, LOW)) : CHILD,
-        "where the far child alone is met, the part stays as it is: it does not begin at the least "
-        "t_split")
-ANSWERS(near_alone, MET == NEAR_ONLY ? visited(in, MET, near_to(in, HIGH), FAR) : CHILD,
-        "where the near child alone is met, the part stays as it is: it does not end at the "
-        "greatest t_split")
-
-// By what waits.
-ANSWERS(far_dropped, ((NextChildAnswer){CHILD.next, in->todo}),
-        "that is as if the far child were never visited where both are met: it does not wait",
-        MISTAKE_FAR_CHILD)
-ANSWERS(both_wait, MET == BOTH_CHILDREN ? with_waiting(CHILD, NEAR) : CHILD,
-        "the near child is visited next, and must not wait as well")
-
 // What is added to node.first: the side, the other one, always the same, too much, too little, or
 // by an eye on the plane that counts to the upper side.
 static u32 child_by(const TileChildJob *in, u32 added, int way)
@@ -314,23 +208,12 @@ static u32 child_by(const TileChildJob *in, u32 added, int way)
     return in->node.first + by[way];
 }
 
-ANY(one_child, 49,
-    IS_FOUND(with_ids(in, child_by(in, SIDE, way % 7), child_by(in, !SIDE, way / 7))),
-    "near and far child are not the two: the near one is on the eye's side, the far one is the "
-    "other")
-
 static int compares(float a, float b, int way)
 {
     return way == 0 ? a > b : way == 1 ? a >= b : way == 2 ? a < b : a <= b;
 }
 
 #define COMPARES(way) compares(way & 1 ? HIGH : LOW, way & 2 ? T_MIN : T_MAX, way >> 2)
-ANY(other_beyond, 16, IS_FOUND(child(in, SIDE, met(COMPARES(way), IS_BEFORE))),
-    "the near child alone is visited if the least t_split is beyond t_max: something else is "
-    "compared")
-ANY(other_before, 16, IS_FOUND(child(in, SIDE, met(IS_BEYOND, COMPARES(way)))),
-    "the far child alone is visited if the greatest t_split is before t_min: something else is "
-    "compared")
 
 // A part that is another: two of all ends that there are, of one child or the other.
 enum { N_ENDS = 8, N_PARTS = 2 * N_ENDS * N_ENDS };
@@ -354,26 +237,137 @@ static NextChildAnswer one_by(const TileChildJob *in, int children, int way)
     return MET == children ? visited(in, MET, part, part) : CHILD;
 }
 
+KNOWN_LIST(known)
+{
+    GIVEN;
+
+    ANSWERS(swapped, child(in, !SIDE, MET), "that is as if near and far child were swapped");
+    ANSWERS(lower_is_near, child(in, 0, MET),
+            "the near child is the one on the eye's side, not always the lower one");
+    ANSWERS(eye_is_upper, child(in, in->eye >= in->node.split_pos, MET),
+            "an eye on the plane counts to the lower side");
+    ANSWERS(is_side, with_ids(in, SIDE, !SIDE),
+            "0 and 1 are sides: the children's ids are node.first and node.first + 1");
+    ANSWERS(by_bit, with_ids(in, in->node.first + SIDE, (in->node.first + SIDE) ^ 1),
+            "the two children are node.first and node.first + 1, where node.first is odd, too");
+    MEETS(always_waits, 0, IS_BEFORE,
+          "that is as if the far child waited also where every ray's part ends before the plane");
+    MEETS(never_skipped, IS_BEYOND, 0,
+          "that is as if the near child were visited also where every ray's part begins beyond the "
+          "plane");
+    MEETS(far_is_near, IS_BEYOND || IS_BEFORE, 0,
+          "where every ray's part begins beyond the plane, the far child is left");
+    MEETS(one_at_ends, LOW >= T_MAX, HIGH <= T_MIN,
+          "where the plane is met exactly at t_min or t_max, both children are met");
+    MEETS(near_at_t_max, LOW >= T_MAX, IS_BEFORE,
+          "where the first ray meets the plane exactly at t_max, both children are met");
+    MEETS(far_at_t_min, IS_BEYOND, HIGH <= T_MIN,
+          "where the last ray meets the plane exactly at t_min, both children are met");
+    MEETS(other_ends, HIGH > T_MAX, LOW < T_MIN,
+          "one child is enough only where that holds for every ray: the other end of the interval "
+          "decides");
+    MEETS(near_for_any, HIGH > T_MAX, IS_BEFORE,
+          "where the interval reaches beyond t_max, some rays may still meet the plane before it");
+    MEETS(far_for_any, IS_BEYOND, LOW < T_MIN,
+          "where the interval begins before t_min, some rays may still meet the plane behind it");
+    MEETS(epsilon, LOW > T_MAX + LEAST_STEP, HIGH < T_MIN - LEAST_STEP,
+          "beyond t_max and before t_min one child is enough, however near: without an epsilon");
+    MEETS(never_is_near, IS_BEYOND || isinf(HIGH), IS_BEFORE,
+          "where some rays never meet the plane, others do: an interval that ends at INFINITY does "
+          "not mean the near child alone");
+    MEETS(at_0_is_far, IS_BEYOND, IS_BEFORE || HIGH == 0,
+          "a plane that is met at 0 is met: where the part begins at 0, so are both children");
+    MEETS(ends_crossed, LOW > T_MIN, HIGH < T_MAX,
+          "t_min and t_max stand in each other's place in the two comparisons");
+
+#define POINT_MEETS_BOTH                                                                           \
+    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
+    MEETS(point_is_near, IS_BEYOND || (T_MIN == T_MAX && !IS_BEFORE), IS_BEFORE, POINT_MEETS_BOTH);
+    MEETS(point_is_far, IS_BEYOND, IS_BEFORE || T_MIN == T_MAX, POINT_MEETS_BOTH);
+
+    PARTS(near_waits, FAR, NEAR, "the near child waits, and the far one is visited first");
+    PARTS(near_keeps_t_max, near_to(in, T_MAX), FAR,
+          "the near child's part ends at the greatest t_split, where that is before t_max");
+    PARTS(far_keeps_t_min, NEAR, far_from(in, T_MIN),
+          "the far child's part begins at the least t_split, where that is beyond t_min");
+    PARTS(near_cut_at_low, near_to(in, fminf(T_MAX, LOW)), FAR,
+          "the near child's part ends at the least t_split: rays that meet the plane later lose "
+          "some of it");
+    PARTS(near_widened, near_to(in, HIGH), FAR,
+          "the near child's part ends beyond t_max: a part never grows on the way down");
+    PARTS(far_widened, NEAR, far_from(in, LOW),
+          "the far child's part begins before t_min: a part never grows on the way down");
+    PARTS(both_uncut, near_to(in, HIGH), far_from(in, LOW),
+          "both parts are wider than the node's own, [t_min, t_max]: a part never grows on the way "
+          "down");
+    PARTS(both_whole, near_to(in, T_MAX), far_from(in, T_MIN),
+          "both children have the whole part: the near one's ends at the greatest t_split, the far "
+          "one's begins at the least");
+    PARTS(both_widened, near_to(in, fmaxf(T_MAX, HIGH)), far_from(in, fminf(T_MIN, LOW)),
+          "the least and the greatest are swapped: a part never grows on the way down");
+    PARTS(far_ends, NEAR, with_ends(FAR, FAR.t_min, HIGH),
+          "the far child's part ends at t_max: behind the plane the rays are in it up to there");
+    PARTS(far_cut_too, NEAR, with_ends(FAR, FAR.t_min, NEAR.t_max),
+          "the far child's part ends where the near one's does: t_max was changed before it was "
+          "used again");
+    PARTS(parts_swapped, with_ends(NEAR, FAR.t_min, T_MAX), with_ends(FAR, T_MIN, NEAR.t_max),
+          "the two parts are swapped: the near child has the one up to the greatest t_split, the "
+          "far child the one from the least");
+
+#define FAR_BEGINS_LATE                                                                            \
+    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
+    "some of it"
+    PARTS(far_from_high, NEAR, far_from(in, fmaxf(T_MIN, HIGH)), FAR_BEGINS_LATE);
+    PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BEGINS_LATE);
+
+    PARTS(parts_crossed, near_to(in, fminf(T_MAX, LOW)), far_from(in, fmaxf(T_MIN, HIGH)),
+          "the least and the greatest t_split are swapped: the near child's part ends at the "
+          "greatest, the far child's begins at the least");
+
+#define ONE_IS_ENOUGH                                                                              \
+    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
+    "before it, one of them is enough"
+    MEETS(both_always, 0, 0, ONE_IS_ENOUGH);
+    ANSWERS(always_whole, visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN)),
+            ONE_IS_ENOUGH);
+    ANSWERS(always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
+            ONE_IS_ENOUGH);
+
+    ANSWERS(far_alone, MET == FAR_ONLY ? visited(in, MET, NEAR, far_from(in, LOW)) : CHILD,
+            "where the far child alone is met, the part stays as it is: it does not begin at the "
+            "least t_split");
+    ANSWERS(near_alone, MET == NEAR_ONLY ? visited(in, MET, near_to(in, HIGH), FAR) : CHILD,
+            "where the near child alone is met, the part stays as it is: it does not end at the "
+            "greatest t_split");
+
+    // By what waits.
+    ANSWERS(far_dropped, ((NextChildAnswer){CHILD.next, in->todo}),
+            "that is as if the far child were never visited where both are met: it does not wait",
+            MISTAKE_FAR_CHILD);
+    ANSWERS(both_wait, MET == BOTH_CHILDREN ? with_waiting(CHILD, NEAR) : CHILD,
+            "the near child is visited next, and must not wait as well");
+
+    ANY(one_child, 49,
+        IS_FOUND(with_ids(in, child_by(in, SIDE, way % 7), child_by(in, !SIDE, way / 7))),
+        "near and far child are not the two: the near one is on the eye's side, the far one is the "
+        "other");
+    ANY(other_beyond, 16, IS_FOUND(child(in, SIDE, met(COMPARES(way), IS_BEFORE))),
+        "the near child alone is visited if the least t_split is beyond t_max: something else is "
+        "compared");
+    ANY(other_before, 16, IS_FOUND(child(in, SIDE, met(IS_BEYOND, COMPARES(way)))),
+        "the far child alone is visited if the greatest t_split is before t_min: something else is "
+        "compared");
+
 #define BOTH_PARTS                                                                                 \
     "where both children are met the near one's part ends at the greatest t_split, the far one's " \
     "begins at the least, and neither grows: child or part is another"
 #define WHOLE_PART "where one child alone is met it gets the whole part: child or part is another"
-ANY(near_part, N_PARTS, IS_FOUND(parted(in, part_by(in, SIDE, way), FAR)), BOTH_PARTS)
-ANY(far_part, N_PARTS, IS_FOUND(parted(in, NEAR, part_by(in, !SIDE, way))), BOTH_PARTS)
-ANY(only_near_part, N_PARTS, IS_FOUND(one_by(in, NEAR_ONLY, way)), WHOLE_PART)
-ANY(only_far_part, N_PARTS, IS_FOUND(one_by(in, FAR_ONLY, way)), WHOLE_PART)
-
-static const Known *const known[] = {
-    &swapped,       &lower_is_near,    &eye_is_upper,    &is_side,         &by_bit,
-    &always_waits,  &never_skipped,    &far_is_near,     &one_at_ends,     &near_at_t_max,
-    &far_at_t_min,  &other_ends,       &near_for_any,    &far_for_any,     &epsilon,
-    &never_is_near, &at_0_is_far,      &ends_crossed,    &point_is_near,   &point_is_far,
-    &near_waits,    &near_keeps_t_max, &far_keeps_t_min, &near_cut_at_low, &near_widened,
-    &far_widened,   &both_uncut,       &both_whole,      &both_widened,    &far_ends,
-    &far_cut_too,   &parts_swapped,    &far_from_high,   &far_from_end,    &both_always,
-    &always_whole,  &always_uncut,     &far_alone,       &near_alone,      &far_dropped,
-    &both_wait,     &parts_crossed,    &one_child,       &other_beyond,    &other_before,
-    &near_part,     &far_part,         &only_near_part,  &only_far_part};
+    ANY(near_part, N_PARTS, IS_FOUND(parted(in, part_by(in, SIDE, way), FAR)), BOTH_PARTS);
+    ANY(far_part, N_PARTS, IS_FOUND(parted(in, NEAR, part_by(in, !SIDE, way))), BOTH_PARTS);
+    ANY(only_near_part, N_PARTS, IS_FOUND(one_by(in, NEAR_ONLY, way)), WHOLE_PART);
+    ANY(only_far_part, N_PARTS, IS_FOUND(one_by(in, FAR_ONLY, way)), WHOLE_PART);
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -285,12 +285,17 @@ static int is_ambiguous_tile(const Job10 *in, int i)
 
 // The loop is given, so the number is known: it says whether what is painted is closed, at once.
 RIGHT(is_work, found->n_tests == count_needed(in, i) || is_ambiguous_tile(in, i))
-ONLY(goes_on, found->n_tests > count_needed(in, i),
-     "the tile is done, and it goes on: what is covered is not closed")
-ONLY(given_up, found->n_tests < count_needed(in, i),
-     "the tile is given up before it is done: what is not covered is closed")
 
-static const Known *const known[] = {&goes_on, &given_up};
+KNOWN_LIST(known)
+{
+    GIVEN;
+
+    ONLY(goes_on, found->n_tests > count_needed(in, i),
+         "the tile is done, and it goes on: what is covered is not closed");
+    ONLY(given_up, found->n_tests < count_needed(in, i),
+         "the tile is given up before it is done: what is not covered is closed");
+    return NO_MORE;
+}
 
 static char *describe_work(const void *job, int i, const void *answers)
 {

@@ -1,13 +1,24 @@
 // How a judge knows a mistake: for each function of the student's, a list of known ones.
 //
-// A known mistake is one expression, with what is said of it, and its kind where it has one:
+// A list is a function that is asked about a mistake by its number, and about one input and answer.
+// In it each mistake is written once: its name, an expression, what is said of it, and its kind
+// where it has one:
 //
-//   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped")
+//   KNOWN_LIST(known)
+//   {
+//       GIVEN;
+//
+//       ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped");
+//       ...
+//       return NO_MORE;
+//   }
+//
+//   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped");
 //       what an answer with the mistake is for the input `in`: every answer must be it;
 //       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
-//   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
+//   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre");
 //       could the wrong answer `found` be of the mistake? Every wrong one must.
-//   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken")
+//   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken");
 //       EACH for a family of mistakes with one sentence: `way` is 0 to 5, and one of them is it.
 //       It may contain others' mistakes, and what is right: it is named where no other is.
 //
@@ -26,12 +37,19 @@
 
 #include "diagnosis.h"
 
+// What a list says of one mistake.
 typedef struct Known {
+    const char *name;  // NULL behind the last one
     Cause cause;
-    int (*fits)(const void *job, int i, const void *answers, int way);
-    int n_ways;
+    int fits;     // could the answer be of it?
+    int n_ways;   // 1, but for a family
     int is_only;  // asked of wrong answers only
 } Known;
+
+typedef Known KnownList(const void *job, int i, const void *answers, int number, int way);
+#define KNOWN_LIST(list)                                                                           \
+    static Known list(const void *job, int i, const void *answers, int number, int way)
+#define NO_MORE ((void)number, (void)way, (Known){.name = NULL})
 
 #define RIGHT(name, expression)                                                                    \
     static int name(const void *job, int i, const void *answers)                                   \
@@ -45,12 +63,10 @@ typedef struct Known {
 #define ONLY(name, expression, ...) KNOWN(name, 1, expression, 1, __VA_ARGS__)
 #define ANY(name, n, expression, ...) KNOWN(name, n, expression, 0, __VA_ARGS__)
 #define KNOWN(name, n, expression, form, ...)                                                      \
-    static int name##_fits(const void *job, int i, const void *answers, int way)                   \
-    {                                                                                              \
-        GIVEN;                                                                                     \
-        (void)in, (void)found, (void)way;                                                          \
-        return expression;                                                                         \
-    }                                                                                              \
-    static const Known name = {{.says = __VA_ARGS__}, name##_fits, n, form};
+    do {                                                                                           \
+        if (number-- == 0) {                                                                       \
+            return (Known){#name, {.says = __VA_ARGS__}, expression, n, form};                     \
+        }                                                                                          \
+    } while (0)
 
 #endif
