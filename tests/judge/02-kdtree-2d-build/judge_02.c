@@ -138,14 +138,6 @@ static const JudgeCheck checks[] = {
      .tree2d = tree_judge_packing, .range = {0, N_SCENES}, .alone_scene = packs_alone_02},
 };
 
-static const JobPart parts[] = {
-    PART("leaves", "is_leaf", Job02, leaves),
-    PART("splits", "split_box", Job02, splits),
-    PART("overlaps", "circle_overlaps_box", Job02, overlaps),
-    PART("distribute", NULL, Job02, distributes),  // alone behind what it needs: write_alone_02()
-    PART("pack", "pack_leaf", Job02, packs),
-};
-
 static void describe_leaf(const void *input, char *words, size_t n_bytes)
 {
     const LeafJob *in = input;
@@ -182,13 +174,13 @@ static void describe_pack(const void *input, char *words, size_t n_bytes)
     snprintf(words, n_bytes, "leaf with %u circles, map of %u entries", in->n_ids, in->n_before);
 }
 
-static const ProbeStep steps[] = {
-    ON_HOST("leaves", "is_leaf", LeafJob, describe_leaf),
-    ON_HOST("splits", "split_box", BBox2D, describe_box),
-    ON_HOST("overlaps", "circle_overlaps_box", BoxOverlapJob, describe_circle_and_box),
-    ON_HOST("distribute", "distribute", DistributeJob, describe_distribute),
-    ON_HOST("pack", "pack_leaf", PackJob, describe_pack),
-    ON_SCENES("tree", "while kdtree2d_build built a whole tree", NULL),
+static const JobPart parts[] = {
+    INPUTS("leaves", "is_leaf", Job02, leaves, .describe = describe_leaf),
+    INPUTS("splits", "split_box", Job02, splits, .describe = describe_box),
+    INPUTS("overlaps", "circle_overlaps_box", Job02, overlaps, .describe = describe_circle_and_box),
+    INPUTS("distribute", "distribute", Job02, distributes, .is_apart = 1,
+           .describe = describe_distribute),  // alone behind what it needs: write_alone_02()
+    INPUTS("pack", "pack_leaf", Job02, packs, .describe = describe_pack),
 };
 
 const Judge judge_02 = {
@@ -200,8 +192,7 @@ const Judge judge_02 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job02, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"tree", "while kdtree2d_build built a whole tree", NULL}},
     .write_scene = job_02_write_scene,
     .write_alone = write_alone_02,
     .add_pictures = add_pictures,

@@ -40,8 +40,6 @@ static char *describe_node(const void *job, int i, const void *answers)
 
 RIGHT(is_right_node, facts_are_none(describe_node(job, i, answers)))
 
-#define BEFORE (in[-1])  // the leaf of the call before, which was in another tree
-
 static int is_untouched(KdNode3 node)
 {
     return node.split_axis == PACK_SPLIT_AXIS && node.first == UNTOUCHED &&
@@ -61,7 +59,8 @@ KNOWN_LIST(known_of_node)
 {
     GIVEN;
 
-    EACH(end_kept, i == 0 || found.first == out[-1].nodes[BEFORE.id].first + BEFORE.n_ids,
+    // Of the call before, which was in another tree.
+    EACH(end_kept, i == 0 || found.first == out[-1].nodes[in[-1].id].first + in[-1].n_ids,
          "the end was kept from the tree before: it is tree->n_sphere_ids");
     EACH(first_behind, found.first == in->n_before + in->n_ids,
          "it was taken after the end had moved: that is behind the leaf's ids");
@@ -186,8 +185,6 @@ static int stand_at(const PackJob *in, const PackAnswer3D *out, u32 first, u32 n
     return fits;
 }
 
-#define IN_PLACE stand_at(in, out, in->n_before, 0)
-
 // Of all places only the first of the range is written.
 static int is_one_place(const PackJob *in, const PackAnswer3D *out)
 {
@@ -231,6 +228,7 @@ static int lists_sphere_0(const PackJob *in)
 KNOWN_LIST(known_of_ids)
 {
     GIVEN;
+    const int is_in_place = stand_at(in, out, in->n_before, 0);
 
     EACH(count_first, has_count_first(in, list),
          "a count stands before the ids, as in lab 02: here it is in the node only");
@@ -248,22 +246,22 @@ KNOWN_LIST(known_of_ids)
          "the ids are one place too far: n_sphere_ids, before it moves, is the first free place");
     EACH(at_id, stand_at(in, out, in->id, 0),
          "the ids begin at the leaf's own id: they go where the array of ids ends");
-    EACH(end_stays, IN_PLACE && out->n_sphere_ids == in->n_before,
+    EACH(end_stays, is_in_place && out->n_sphere_ids == in->n_before,
          "n_sphere_ids is not moved: the next leaf's ids go where these are");
-    EACH(end_one_on, IN_PLACE && out->n_sphere_ids == in->n_before + 1,
+    EACH(end_one_on, is_in_place && out->n_sphere_ids == in->n_before + 1,
          "n_sphere_ids moves by one for each leaf: it moves by the number of its ids");
-    EACH(end_one_too_far, IN_PLACE && out->n_sphere_ids == in->n_before + in->n_ids + 1,
+    EACH(end_one_too_far, is_in_place && out->n_sphere_ids == in->n_before + in->n_ids + 1,
          "n_sphere_ids moves by one too many: here no place is needed for the count");
-    EACH(end_is_count, IN_PLACE && out->n_sphere_ids == in->n_ids,
+    EACH(end_is_count, is_in_place && out->n_sphere_ids == in->n_ids,
          "n_sphere_ids counts this leaf only: it moves behind the ids of all leaves so far");
-    EACH(end_twice, IN_PLACE && out->n_sphere_ids == in->n_before + 2 * in->n_ids,
+    EACH(end_twice, is_in_place && out->n_sphere_ids == in->n_before + 2 * in->n_ids,
          "n_sphere_ids moves twice: by the number of the leaf's ids, once");
 
     EACH(to_count, is_to_count(in, out),
          "n_ids was taken for the end of the range: it is how many ids there are");
     ONLY(one_place, in->n_ids > 0 && is_one_place(in, out),
          "all ids are written to one place: each goes behind the one before it");
-    ONLY(split_pos_set, IN_PLACE && found.split_pos != PACK_SPLIT_POS,
+    ONLY(split_pos_set, is_in_place && found.split_pos != PACK_SPLIT_POS,
          "split_pos is set, too: of the node's fields the three others change");
     ONLY(sphere_0, lists_sphere_0(in),
          "only leaves that list sphere 0 are wrong: 0 is an id as any other");

@@ -126,9 +126,7 @@ static Clip clipped(const ClipJob *in, Way way)
                   t_max};
 }
 
-#define CLIP clipped(in, (Way){0})
-
-RIGHT(is_right, IS_FOUND(CLIP))
+RIGHT(is_right, IS_FOUND(clipped(in, (Way){0})))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
@@ -141,7 +139,7 @@ static Clip with_part(ClipJob in, float t_min, float t_max)
 
 static Clip not_stored(const ClipJob *in)
 {
-    const Clip clip = CLIP;
+    const Clip clip = clipped(in, (Way){0});
     return (Clip){clip.may_meet, clip.may_miss, {in->t_min, in->t_min}, {in->t_max, in->t_max}};
 }
 
@@ -251,7 +249,7 @@ static Planes planes_of(int way)
 
 static Clip inverted_result(const ClipJob *in)
 {
-    const Clip clip = CLIP;
+    const Clip clip = clipped(in, (Way){0});
     return (Clip){clip.t_min.high >= clip.t_max.low, clip.t_min.low < clip.t_max.high, clip.t_min,
                   clip.t_max};
 }
@@ -380,7 +378,7 @@ static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
     const BBox3D box = in->box;
-    const Clip right = CLIP;
+    const Clip right = clipped(in, (Way){0});
     return message_new(
         "box from %s to %s, ray from %s along %s, part [%.9g, %.9g]: found %s, expected %s",
         words_xyz(box.min[0], box.min[1], box.min[2], 6).text,

@@ -75,12 +75,14 @@ static NextWaitingAnswer ended_if(const NextWaitingJob *in, int is_end)
     return taken(in, is_end, in->todo.n - 1);
 }
 
-#define IS_END (in->t < in->at.t_max)
-#define WAITING ended_if(in, IS_END)
+static NextWaitingAnswer waiting(const NextWaitingJob *in)
+{
+    return ended_if(in, in->t < in->at.t_max);
+}
 
-RIGHT(is_right_end, (found->goes_on != 0) == WAITING.goes_on)
+RIGHT(is_right_end, (found->goes_on != 0) == waiting(in).goes_on)
 // Where the search is over, at and the stack do not matter.
-RIGHT(is_right_next, !WAITING.goes_on || IS_FOUND(WAITING))
+RIGHT(is_right_next, !waiting(in).goes_on || IS_FOUND(waiting(in)))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
@@ -122,6 +124,8 @@ static int is_waiting(const StackState *todo, u32 node)
 KNOWN_LIST(known)
 {
     GIVEN;
+    const int is_end = in->t < in->at.t_max;
+    const NextWaitingAnswer right = waiting(in);
 
     // By where the search ends.
     ANSWERS(any_hit, ended_if(in, in->t < INFINITY),
@@ -129,7 +133,7 @@ KNOWN_LIST(known)
             "sphere may hide");
     ANSWERS(never_ends, ended_if(in, 0),
             "that is as if the search did not end before the stack is empty");
-    ANY(inverted, 2, IS_FOUND(ended_if(in, way ? in->t > in->at.t_max : !IS_END)),
+    ANY(inverted, 2, IS_FOUND(ended_if(in, way ? in->t > in->at.t_max : !is_end)),
         "that is as if the search went on where it has found a hit, and ended where it has not: "
         "the comparison with t_max is inverted");
     ANSWERS(at_t_max, ended_if(in, in->t <= in->at.t_max),
@@ -141,35 +145,34 @@ KNOWN_LIST(known)
     ANSWERS(by_next, ended_if(in, ends_in_next(in)),
             "the hit was compared with the t_max of the node from the stack: the leaf's is asked "
             "before *at becomes that node");
-    ANSWERS(before_t_min, ended_if(in, in->t >= in->at.t_min && IS_END),
+    ANSWERS(before_t_min, ended_if(in, in->t >= in->at.t_min && is_end),
             "a hit before t_min ends the search, too: it is in this leaf or before it, and all "
             "that waits is farther away");
-    ANSWERS(one_left, ended_if(in, IS_END || in->todo.n == 1),
+    ANSWERS(one_left, ended_if(in, is_end || in->todo.n == 1),
             "the search ended while one node was still waiting");
     // Which node such an answer hands on is not defined.
-    EACH(swapped, (found->goes_on != 0) != WAITING.goes_on, "1 and 0 are swapped: 0 is the end");
+    EACH(swapped, (found->goes_on != 0) != right.goes_on, "1 and 0 are swapped: 0 is the end");
     ONLY(hair, fabsf(in->t - in->at.t_max) < HAIR,
          "only hits a hair before or beyond t_max are wrong: compare without an epsilon");
 
-    ANSWERS(part_kept, with_part(WAITING, in->at.t_min, in->at.t_max),
+    ANSWERS(part_kept, with_part(right, in->at.t_min, in->at.t_max),
             "that is as if t_min and t_max were not taken from the stack with the node");
-    ANSWERS(t_max_kept, with_part(WAITING, WAITING.at.t_min, in->at.t_max),
+    ANSWERS(t_max_kept, with_part(right, right.at.t_min, in->at.t_max),
             "that is as if t_max were not taken from the stack with the node");
-    ANSWERS(t_min_kept, with_part(WAITING, in->at.t_min, WAITING.at.t_max),
+    ANSWERS(t_min_kept, with_part(right, in->at.t_min, right.at.t_max),
             "that is as if t_min were not taken from the stack with the node");
-    ANSWERS(oldest, taken(in, IS_END, 0),
+    ANSWERS(oldest, taken(in, is_end, 0),
             "that is as if the node that waits longest came from the stack first");
     ANSWERS(
-        not_handed_on, with_at(WAITING, in->at),
+        not_handed_on, with_at(right, in->at),
         "what was taken from the stack did not become *at: the search goes on with the same leaf");
-    ANSWERS(nothing_taken, ((NextWaitingAnswer){WAITING.goes_on, in->at, in->todo}),
+    ANSWERS(nothing_taken, ((NextWaitingAnswer){right.goes_on, in->at, in->todo}),
             "nothing was taken from the stack: the search goes on with the same leaf");
-    ANSWERS(stays, with_one_more(WAITING), "the node is not taken off the stack: it waits still");
+    ANSWERS(stays, with_one_more(right), "the node is not taken off the stack: it waits still");
     EACH(above_top,
-         WAITING.goes_on
-             ? found->goes_on && found->todo.n == WAITING.todo.n && found->at.node != in->at.node &&
-                   !is_waiting(&in->todo, found->at.node)
-             : !found->goes_on,
+         right.goes_on ? found->goes_on && found->todo.n == right.todo.n &&
+                             found->at.node != in->at.node && !is_waiting(&in->todo, found->at.node)
+                       : !found->goes_on,
          "what was taken is none of the entries that wait: the top one is todo->entries[todo->n - "
          "1]");
     return NO_MORE;
@@ -180,7 +183,7 @@ KNOWN_LIST(known)
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const NextWaitingAnswer expected = WAITING;
+    const NextWaitingAnswer expected = waiting(in);
     return message_new("the nearest hit is at %.9g, the leaf's part [%g, %g], and %u node%s "
                        "waiting: your code %s, expected: it %s",
                        in->t, in->at.t_min, in->at.t_max, in->todo.n,

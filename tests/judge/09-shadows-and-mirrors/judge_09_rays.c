@@ -88,11 +88,6 @@ static OracleNear mirrored(const MirrorJob *in)
 
 RIGHT(is_mirrored, oracle3d_is_near(found, mirrored(in)))
 
-// The direction, the normal, and what turns round: the part of the one along the other, twice.
-#define D vector_of(in->direction)
-#define N vector_of(in->normal)
-#define TURNS (2 * vector_dot(D, N))
-
 static OracleVector product(OracleVector a, OracleVector b)
 {
     return (OracleVector){a.x * b.x, a.y * b.y, a.z * b.z};
@@ -110,34 +105,37 @@ static OracleVector less_number(OracleVector direction, double number)
 KNOWN_LIST(turns)
 {
     GIVEN;
+    // What turns round is the part of the direction along the normal, twice.
+    const OracleVector d = vector_of(in->direction), n = vector_of(in->normal);
+    const double turns_round = 2 * vector_dot(d, n);
 
-    ANSWERS(turned_round, vector_minus(vector_scaled(TURNS, N), D),
+    ANSWERS(turned_round, vector_minus(vector_scaled(turns_round, n), d),
             "that is the mirrored direction turned round: the sign");
-    ANSWERS(straight_on, D, "the ray goes straight on");
-    ANSWERS(back, vector_scaled(-1, D), "the ray goes back to where it came from");
-    ANSWERS(along_surface, vector_minus(D, vector_scaled(TURNS / 2, N)),
+    ANSWERS(straight_on, d, "the ray goes straight on");
+    ANSWERS(back, vector_scaled(-1, d), "the ray goes back to where it came from");
+    ANSWERS(along_surface, vector_minus(d, vector_scaled(turns_round / 2, n)),
             "its part along the normal is gone, not turned round: it counts twice");
-    ANSWERS(along_normal, N,
+    ANSWERS(along_normal, n,
             "that is the normal: only a ray that meets the mirror head-on goes along it");
-    ANSWERS(part_added, vector_plus(D, vector_scaled(TURNS, N)),
+    ANSWERS(part_added, vector_plus(d, vector_scaled(turns_round, n)),
             "its part along the normal grew, and should turn round: the sign");
-    ANSWERS(normal_mirrored, vector_minus(N, vector_scaled(TURNS, D)),
+    ANSWERS(normal_mirrored, vector_minus(n, vector_scaled(turns_round, d)),
             "the normal was mirrored at the direction: they stand in each other's place");
-    ANSWERS(along_itself, vector_minus(D, vector_scaled(TURNS, D)),
+    ANSWERS(along_itself, vector_minus(d, vector_scaled(turns_round, d)),
             "the part that turns round lies along the normal, not along the direction");
-    ANSWERS(part_alone, vector_scaled(-TURNS, N),
+    ANSWERS(part_alone, vector_scaled(-turns_round, n),
             "the direction itself is missing: only what is added to it is there");
-    ANSWERS(by_coordinate, vector_minus(D, vector_scaled(2, product(D, product(N, N)))),
+    ANSWERS(by_coordinate, vector_minus(d, vector_scaled(2, product(d, product(n, n)))),
             "coordinates were multiplied one by one: the part along the normal is a dot product");
-    ANSWERS(dot_without_z, vector_minus(D, vector_scaled(TURNS - 2 * D.z * N.z, N)),
+    ANSWERS(dot_without_z, vector_minus(d, vector_scaled(turns_round - 2 * d.z * n.z, n)),
             "z is missing in the dot product");
 
-    ANY(number, 4, IS_FOUND(less_number(D, TURNS * (way < 2 ? 1 : 0.5) * (way % 2 ? -1 : 1))),
+    ANY(number, 4, IS_FOUND(less_number(d, turns_round * (way < 2 ? 1 : 0.5) * (way % 2 ? -1 : 1))),
         "one number is taken from each coordinate: what turns round is a vector along the normal");
-    ANY(other_multiple, 16, IS_FOUND(vector_plus(D, vector_scaled((way - 8) * TURNS / 2, N))),
+    ANY(other_multiple, 16, IS_FOUND(vector_plus(d, vector_scaled((way - 8) * turns_round / 2, n))),
         "its part along the normal turns round if it is taken off twice: here it is another "
         "multiple");
-    ONLY(flat_goes_on, fabs(vector_dot(D, N)) < GRAZING && IS_FOUND(D),
+    ONLY(flat_goes_on, fabs(vector_dot(d, n)) < GRAZING && IS_FOUND(d),
          "a ray that grazes the mirror is mirrored, too, without an epsilon");
     return NO_MORE;
 }
@@ -156,9 +154,6 @@ const Function mirror_09 = {"mirrors", 2 * N_MIRROR_INPUTS, sizeof(Vec3),
                             KNOWING(is_mirrored, describe_mirror, turns)};
 #undef GIVEN
 #undef IS_FOUND
-#undef D
-#undef N
-#undef TURNS
 
 // ---- shadow_ray ---------------------------------------------------------------------------------
 
@@ -250,15 +245,16 @@ RIGHT(goes_to_light, IS_FOUND(1 / vector_length(way_of(in))))
 KNOWN_LIST(directions)
 {
     GIVEN;
+    const OracleVector way_to = way_of(in);
+    const double length = vector_length(way_to);
 
-    ANSWERS(reversed, -1 / vector_length(way_of(in)),
-            "it goes away from the light: light minus point");
+    ANSWERS(reversed, -1 / length, "it goes away from the light: light minus point");
     ANSWERS(not_unit, 1, "the direction is not a unit vector: t is a distance then");
     EACH(to_position,
          is_scaled(found, 1 / vector_length(vector_of(in->light.position)),
                    vector_of(in->light.position)),
          "that is the light's position, not the way to it");
-    ANSWERS(by_largest, 1 / largest_of(way_of(in)),
+    ANSWERS(by_largest, 1 / largest_of(way_to),
             "it is divided by its largest coordinate: by its length it becomes a unit vector");
     EACH(added,
          is_scaled(
@@ -266,9 +262,9 @@ KNOWN_LIST(directions)
              1 / vector_length(vector_plus(vector_of(in->light.position), vector_of(in->point))),
              vector_plus(vector_of(in->light.position), vector_of(in->point))),
          "the point is added to the light's position: the way is the light minus the point");
-    EACH(multiplied, is_scaled(found, vector_length(way_of(in)), way_of(in)),
+    EACH(multiplied, is_scaled(found, length, way_to),
          "the way is multiplied by its length: divided by it, it becomes a unit vector");
-    ANSWERS(by_square_of_way, 1 / vector_dot(way_of(in), way_of(in)),
+    ANSWERS(by_square_of_way, 1 / vector_dot(way_to, way_to),
             "the way is divided by its square: by its length it becomes a unit vector");
     return NO_MORE;
 }
@@ -279,7 +275,6 @@ const Function ray_direction_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(Sh
 
 // The end of the ray, beside a length that is computed as the way's is.
 #define IS_FOUND(length) (fabs((double)found->t_max - (length)) <= WAY_ERROR * (length))
-#define WAY vector_length(way_of(in))
 
 static double sum_of(OracleVector v)
 {
@@ -291,26 +286,28 @@ static double sum_of(OracleVector v)
 #define NOWHERE 1e9
 #define FAR 1000
 
-RIGHT(ends_at_light, IS_FOUND(WAY))
+RIGHT(ends_at_light, IS_FOUND(vector_length(way_of(in))))
 
 KNOWN_LIST(ends)
 {
     GIVEN;
+    const OracleVector way_to = way_of(in);
+    const double length = vector_length(way_to);
 
-    EACH(nowhere, found->t_max > NOWHERE * WAY,
+    EACH(nowhere, found->t_max > NOWHERE * length,
          "it has no end: what stands behind the light would cast a shadow, too");
-    ONLY(far_nowhere, WAY > FAR && found->t_max > NOWHERE * WAY,
+    ONLY(far_nowhere, length > FAR && found->t_max > NOWHERE * length,
          "where the light is far away the ray has no end: it ends at the light, however far");
     ANSWERS(at_one, 1.0, "it ends at t = 1: so it is where the direction is as long as the way");
-    EACH(squared, fabs(found->t_max - WAY * WAY) <= 2 * WAY_ERROR * WAY * WAY,
+    EACH(squared, fabs(found->t_max - length * length) <= 2 * WAY_ERROR * length * length,
          "that is the square of the distance");
     ANSWERS(from_zero, vector_length(vector_of(in->light.position)),
             "that is the light's distance from the origin of the scene, not from the point");
-    EACH(at_largest, fabs(found->t_max - largest_of(way_of(in))) <= WAY_ERROR * WAY,
+    EACH(at_largest, fabs(found->t_max - largest_of(way_to)) <= WAY_ERROR * length,
          "that is the largest coordinate of the way, not its length");
-    EACH(at_sum, fabs(found->t_max - sum_of(way_of(in))) <= 2 * WAY_ERROR * WAY,
+    EACH(at_sum, fabs(found->t_max - sum_of(way_to)) <= 2 * WAY_ERROR * length,
          "that is the sum of the way's coordinates, not its length");
-    EACH(little_off, fabs(found->t_max - WAY) <= 0.02 * fmax(1, WAY),
+    EACH(little_off, fabs(found->t_max - length) <= 0.02 * fmax(1, length),
          "it ends beside the light: t_max is its distance, without an epsilon");
     EACH(at_start, found->t_max == 0, "it ends where it starts");
     return NO_MORE;
