@@ -310,15 +310,11 @@ KNOWN_LIST(known)
              IS_FOUND(clipped(in, (Way){.grows = 1, .last_exit = 1})),
          "that is as if t_max grew: it becomes the smaller of the two, t_min the larger");
 
-#define OF_ONE_AXIS                                                                                \
-    "on every axis the number of one of them was taken: origin and direction are those of the "    \
-    "axis"
-    ANSWERS(direction_of_x, clipped(in, (Way){.direction_of = 1}), OF_ONE_AXIS);
-    ANSWERS(direction_of_y, clipped(in, (Way){.direction_of = 2}), OF_ONE_AXIS);
-    ANSWERS(direction_of_z, clipped(in, (Way){.direction_of = 3}), OF_ONE_AXIS);
-    ANSWERS(origin_of_x, clipped(in, (Way){.origin_of = 1}), OF_ONE_AXIS);
-    ANSWERS(origin_of_y, clipped(in, (Way){.origin_of = 2}), OF_ONE_AXIS);
-    ANSWERS(origin_of_z, clipped(in, (Way){.origin_of = 3}), OF_ONE_AXIS);
+    ONE_OF(of_one_axis, 6,
+           IS_FOUND(clipped(in, way < 3 ? (Way){.direction_of = (u32)way + 1}
+                                        : (Way){.origin_of = (u32)way - 2})),
+           "on every axis the number of one of them was taken: origin and direction are those of "
+           "the axis");
 
     // A bit for each axis; not all of them.
     ANY(skips, 6, IS_FOUND(clipped(in, (Way){.skipped = (u32)way + 1})),

@@ -186,7 +186,7 @@ RIGHT(is_best, follows(job, i, found, (Way){0}))
 // ---- Mistakes -----------------------------------------------------------------------------------
 
 // Which plane is taken in the place of the best one so far: the `plane` number `at` of an axis.
-#define TAKES(name, is_taken, ...)                                                                 \
+#define TAKES_OF(name, n_ways, is_taken, ...)                                                      \
     for (int k = 0; number == 0 && has_area && k < 3 * (SAH_BINS - 1); k++) {                      \
         const u32 axis = (u32)k / (SAH_BINS - 1);                                                  \
         const int at = 1 + k % (SAH_BINS - 1);                                                     \
@@ -196,7 +196,8 @@ RIGHT(is_best, follows(job, i, found, (Way){0}))
         (void)is_less, (void)is_equal, (void)is_other_axis;                                        \
         best = (is_taken) ? *plane : best;                                                         \
     }                                                                                              \
-    EACH(name, is_search(i, found, &planes, best), __VA_ARGS__)
+    ONE_OF(name, n_ways, is_search(i, found, &planes, best), __VA_ARGS__)
+#define TAKES(name, is_taken, ...) TAKES_OF(name, 1, is_taken, __VA_ARGS__)
 
 // Which planes are asked.
 #define ASKS(name, is_asked, ...) TAKES(name, is_less && (is_asked), __VA_ARGS__)
@@ -320,13 +321,9 @@ KNOWN_LIST(known)
           "the cheapest of all three axes counts, not of the last one");
     TAKES(dearest, isinf(best.cost) || plane->cost > best.cost,
           "that is the plane with the highest cost");
-    TAKES(gain_2, plane->cost < best.cost - 1e-2, EPSILON);
-    TAKES(gain_3, plane->cost < best.cost - 1e-3, EPSILON);
-    TAKES(gain_4, plane->cost < best.cost - 1e-4, EPSILON);
-    TAKES(gain_5, plane->cost < best.cost - 1e-5, EPSILON);
-    TAKES(share_2, plane->cost < best.cost * (1 - 1e-2), EPSILON);
-    TAKES(share_3, plane->cost < best.cost * (1 - 1e-3), EPSILON);
-    TAKES(share_4, plane->cost < best.cost * (1 - 1e-4), EPSILON);
+    static const double epsilons[] = {1e-2, 1e-3, 1e-4, 1e-5};
+    TAKES_OF(gain, 4, plane->cost < best.cost - epsilons[way], EPSILON);
+    TAKES_OF(share, 3, plane->cost < best.cost * (1 - epsilons[way]), EPSILON);
 
 #define BY_CENTRE "a sphere counts by its range, not by its centre"
     COUNTS(by_centre, from_of(side, centre), to_of(side, centre), BY_CENTRE);

@@ -230,14 +230,15 @@ static int is_sum(const Job09 *job, int i, const LitAnswer *found, OracleNear ex
 }
 
 // How often light number k counts: of all n of them, and of the one behind their end.
-#define SUMS(name, factor, ...)                                                                    \
+#define SUMS_OF(name, n_ways, factor, ...)                                                         \
     for (int k = 0; number == 0 && k <= all.n; k++) {                                              \
         const SeenLight *light = &all.each[k];                                                     \
         const int is_one = k < all.n, counts = is_one && arrives(light);                           \
         (void)is_one, (void)counts;                                                                \
         add_share(&sum, light, factor);                                                            \
     }                                                                                              \
-    EACH(name, is_sum(job, i, found, summed(&all, sum)), __VA_ARGS__)
+    ONE_OF(name, n_ways, is_sum(job, i, found, summed(&all, sum)), __VA_ARGS__)
+#define SUMS(name, factor, ...) SUMS_OF(name, 1, factor, __VA_ARGS__)
 
 static OracleNear with_color_twice(const LitJob *in, OracleNear sum)
 {
@@ -288,14 +289,8 @@ KNOWN_LIST(known)
     SUMS(first_arriving, k == first_of(&all, arrives) && counts,
          "the first light that arrives ended the loop: the next one may arrive, too");
 
-#define NOT_ALL "where lights are many, not all of them are asked: n_lights says how many they are"
-    SUMS(only_4, k < 4 && counts, NOT_ALL);
-    SUMS(only_8, k < 8 && counts, NOT_ALL);
-    SUMS(only_16, k < 16 && counts, NOT_ALL);
-    SUMS(only_32, k < 32 && counts, NOT_ALL);
-    SUMS(only_64, k < 64 && counts, NOT_ALL);
-    SUMS(only_128, k < 128 && counts, NOT_ALL);
-    SUMS(only_256, k < 256 && counts, NOT_ALL);
+    SUMS_OF(only_some, 7, k < (4 << way) && counts,
+            "where lights are many, not all of them are asked: n_lights says how many they are");
 
     // By which of them arrive.
     SUMS(without_shadows, is_one, "light is added although something stands between");
@@ -319,11 +314,10 @@ KNOWN_LIST(known)
     SUMS(little_kd_lost, counts && in->material.kd >= 0x1p-10f,
          "a surface that scatters little is not lit: where a light is bright, it shows");
 
-#define GRAZING_LOST                                                                               \
-    "light that grazes the surface arrives, too: a cosine above 0 is enough, without an epsilon"
-    SUMS(grazing_5, counts && light->cosine >= 0.05, GRAZING_LOST);
-    SUMS(grazing_9, counts && light->cosine >= 0x1p-9, GRAZING_LOST);
-    SUMS(grazing_15, counts && light->cosine >= 0x1p-15, GRAZING_LOST);
+    static const double grazing[] = {0.05, 0x1p-9, 0x1p-15};
+    SUMS_OF(grazing_lost, 3, counts && light->cosine >= grazing[way],
+            "light that grazes the surface arrives, too: a cosine above 0 is enough, without an "
+            "epsilon");
 
     // By how they are added.
     SUMS(mean, counts / fmax(all.n, 1),

@@ -153,16 +153,9 @@ KNOWN_LIST(known)
             "what is beside the axis is centre - along * axis: the axis is a unit vector");
 
 #define EPSILON "the radius is compared with as it is, without an epsilon: the cone is wide enough"
-    ANSWERS(added_2, gap_of(view) - 1e-2, EPSILON);
-    ANSWERS(added_3, gap_of(view) - 1e-3, EPSILON);
-    ANSWERS(added_4, gap_of(view) - 1e-4, EPSILON);
-    ANSWERS(added_5, gap_of(view) - 1e-5, EPSILON);
-    ANSWERS(added_6, gap_of(view) - 1e-6, EPSILON);
-    ANSWERS(share_1, gap_of(view) - 1e-1 * view.size, EPSILON);
-    ANSWERS(share_2, gap_of(view) - 1e-2 * view.size, EPSILON);
-    ANSWERS(share_3, gap_of(view) - 1e-3 * view.size, EPSILON);
-    ANSWERS(share_4, gap_of(view) - 1e-4 * view.size, EPSILON);
-    ANSWERS(share_5, gap_of(view) - 1e-5 * view.size, EPSILON);
+    static const double epsilons[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+    ONE_OF(added, 5, IS_FOUND(gap_of(view) - epsilons[way + 1]), EPSILON);
+    ONE_OF(share, 5, IS_FOUND(gap_of(view) - epsilons[way] * view.size), EPSILON);
 
     ONLY(by_squares, fabs(gap_of(view)) <= error_by_squares(view),
          "the digits are lost: subtract the vectors first, and then take the length");

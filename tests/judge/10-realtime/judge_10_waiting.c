@@ -181,8 +181,6 @@ static float all_or_none(int is_all)
 #define TOP_ENDS                                                                                   \
     "the node on top begins behind every hit, but the one below it need not: parts of many rays "  \
     "overlap"
-#define FEW_LEFT_OUT                                                                               \
-    "the search ended after some nodes that are left out: however many they are, it goes on"
 
 static NextWaitingAnswer tried(const TileWaitingJob *in, u32 most)
 {
@@ -274,12 +272,10 @@ KNOWN_LIST(known)
     ANSWERS(top_ends, tried(in, 1), TOP_ENDS);
     ANSWERS(top_ends_at_same, search(in, begins_before, nextafterf(in->farthest, 0), 1), TOP_ENDS);
     ANSWERS(two_only, second_taken(in), "more than one node in a row may be left out");
-    ANSWERS(tried_2, tried(in, 2), FEW_LEFT_OUT);
-    ANSWERS(tried_3, tried(in, 3), FEW_LEFT_OUT);
-    ANSWERS(tried_4, tried(in, 4), FEW_LEFT_OUT);
-    ANSWERS(tried_8, tried(in, 8), FEW_LEFT_OUT);
-    ANSWERS(tried_10, tried(in, 10), FEW_LEFT_OUT);
-    ANSWERS(tried_16, tried(in, 16), FEW_LEFT_OUT);
+    static const u32 few[] = {2, 3, 4, 8, 10, 16};
+    ONE_OF(
+        few_left_out, 6, IS_FOUND(tried(in, few[way])),
+        "the search ended after some nodes that are left out: however many they are, it goes on");
 
     // Which node such an answer hands on is not defined.
     EACH(swapped, (found->goes_on != 0) != waiting(in).goes_on,

@@ -62,7 +62,7 @@ static int is_known_way(const Function *function, Place place, int way, const vo
     for (; fits && i < range.n; i++) {
         const int at = range_at(range, i);
         const Known known = function->known[place.list](job, at, answers, place.number, way);
-        fits = known.fits || (known.is_only && function->is_right(job, at, answers));
+        fits = known.fits || (known.form == KNOWN_OF_WRONG && function->is_right(job, at, answers));
     }
     return fits;
 }
@@ -91,7 +91,7 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
-// Does a mistake that says what an answer is (ANSWERS, EACH; of a family, ANY) explain every answer
+// Does a mistake that says what an answer is (ANSWERS, EACH, ONE_OF; of a family, ANY) explain every answer
 // of a range? *cause becomes the one that does. Returns how many do, with different sentences: 0, 1
 // or 2.
 static int count_answers(const Function *function, const void *job, Range range,
@@ -103,7 +103,7 @@ static int count_answers(const Function *function, const void *job, Range range,
         if (known.name == NULL) {
             break;
         }
-        if (!known.is_only && (known.n_ways > 1) == is_family &&
+        if (known.form == (is_family ? KNOWN_FAMILY : KNOWN_ANSWERS) &&
             is_known(function, place, known.n_ways, job, range, answers) &&
             (n == 0 || !is_same_text(cause->says, known.cause.says))) {
             *cause = known.cause;
@@ -131,7 +131,7 @@ static Cause name_known(const Function *function, const void *job, Range range, 
     for (Place place = {0};; place.number++) {
         const Known known = known_at(function, &place, job, range, answers);
         if (known.name == NULL ||
-            (known.is_only && is_known(function, place, 1, job, range, answers))) {
+            (known.form == KNOWN_OF_WRONG && is_known(function, place, 1, job, range, answers))) {
             return known.cause;
         }
     }

@@ -18,14 +18,16 @@
 //       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
 //   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre");
 //       could the wrong answer `found` be of the mistake? Every wrong one must.
+//   ONE_OF(few_asked, 3, IS_FOUND(of_first(in, 4 << way)), "not all of them are asked");
+//       EACH for three mistakes with one sentence: `way` is 0 to 2, and one of them is it;
 //   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken");
-//       EACH for a family of mistakes with one sentence: `way` is 0 to 5, and one of them is it.
-//       It may contain others' mistakes, and what is right: it is named where no other is.
+//       the same for a large family: it may contain others' mistakes, and what is right; it is
+//       named where no other is.
 //
 // "Every" is every answer of the function, in the ranges of all checks (but for is_known_by_range
 // of function.h): a sentence that is true in one check and not in another is not the cause.
-// ANSWERS and EACH are asked first, then ANY; if two with different sentences explain the answers,
-// nothing is said. Of ONLY the first of the list is named: the special one is before the general
+// ANSWERS, EACH and ONE_OF are asked first, then ANY; if two with different sentences explain the
+// answers, nothing is said. Of ONLY the first of the list is named: the special one is before the general
 // one. NULL for a sentence: then nothing is said. What is right is told without mistakes:
 //
 //   RIGHT(is_right, found == near_side(in))
@@ -41,9 +43,9 @@
 typedef struct Known {
     const char *name;  // NULL behind the last one
     Cause cause;
-    int fits;     // could the answer be of it?
-    int n_ways;   // 1, but for a family
-    int is_only;  // asked of wrong answers only
+    int fits;    // could the answer be of it?
+    int n_ways;  // how many mistakes it is
+    enum { KNOWN_ANSWERS, KNOWN_FAMILY, KNOWN_OF_WRONG } form;
 } Known;
 
 typedef Known KnownList(const void *job, int i, const void *answers, int number, int way);
@@ -59,9 +61,10 @@ typedef Known KnownList(const void *job, int i, const void *answers, int number,
         return expression;                                                                         \
     }
 #define ANSWERS(name, expression, ...) EACH(name, IS_FOUND(expression), __VA_ARGS__)
-#define EACH(name, expression, ...) KNOWN(name, 1, expression, 0, __VA_ARGS__)
-#define ONLY(name, expression, ...) KNOWN(name, 1, expression, 1, __VA_ARGS__)
-#define ANY(name, n, expression, ...) KNOWN(name, n, expression, 0, __VA_ARGS__)
+#define EACH(name, expression, ...) ONE_OF(name, 1, expression, __VA_ARGS__)
+#define ONE_OF(name, n, expression, ...) KNOWN(name, n, expression, KNOWN_ANSWERS, __VA_ARGS__)
+#define ANY(name, n, expression, ...) KNOWN(name, n, expression, KNOWN_FAMILY, __VA_ARGS__)
+#define ONLY(name, expression, ...) KNOWN(name, 1, expression, KNOWN_OF_WRONG, __VA_ARGS__)
 #define KNOWN(name, n, expression, form, ...)                                                      \
     do {                                                                                           \
         if (number-- == 0) {                                                                       \
