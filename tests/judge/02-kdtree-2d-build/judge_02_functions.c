@@ -186,7 +186,8 @@ KNOWN_LIST(known_of_longer)
     ANSWERS(sums, (double)in.maxX + in.minX >= (double)in.maxY + in.minY, WRONG_SIDE);
     ANSWERS(x_is_max, in.maxX >= height, WRONG_SIDE);
     ANSWERS(y_is_max, width >= in.maxY, WRONG_SIDE);
-    // So are a width that begins at minY, and a height that begins at minX, or ends at the other's end.
+    // So are a width that begins at minY, and a height that begins at minX, or ends at the other's
+    // end.
     ANSWERS(by_corners, in.maxX >= in.maxY,
             "your answers are those of maxX against maxY: the lengths of the sides count");
     ANSWERS(by_low_corners, in.minX <= in.minY,

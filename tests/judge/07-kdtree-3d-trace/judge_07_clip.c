@@ -163,6 +163,11 @@ static int is_divided_by_0(ClipAnswer found)
     return found.t_min == INFINITY || found.t_max == -INFINITY;
 }
 
+static Way of_one_axis(u32 axis, int is_direction)
+{
+    return (Way){.direction_of = is_direction ? axis : 0, .origin_of = is_direction ? 0 : axis};
+}
+
 // What the loop makes of t_min or t_max on each axis: of two, the larger or the smaller.
 typedef struct Line {
     int how;       // 0 the larger, 1 the smaller, 2 the second, 3 the first: the line is missing
@@ -310,9 +315,7 @@ KNOWN_LIST(known)
              IS_FOUND(clipped(in, (Way){.grows = 1, .last_exit = 1})),
          "that is as if t_max grew: it becomes the smaller of the two, t_min the larger");
 
-    ONE_OF(of_one_axis, 6,
-           IS_FOUND(clipped(in, way < 3 ? (Way){.direction_of = (u32)way + 1}
-                                        : (Way){.origin_of = (u32)way - 2})),
+    ONE_OF(number_of_one_axis, 6, IS_FOUND(clipped(in, of_one_axis((u32)way % 3 + 1, way < 3))),
            "on every axis the number of one of them was taken: origin and direction are those of "
            "the axis");
 

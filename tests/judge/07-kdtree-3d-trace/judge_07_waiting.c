@@ -92,23 +92,9 @@ static int ends_in_next(const NextWaitingJob *in)
     return in->todo.n > 0 && in->t < in->todo.upper[in->todo.n - 1].t_max;
 }
 
-// By what is handed on.
-static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
-{
-    answer.at.t_min = t_min;
-    answer.at.t_max = t_max;
-    return answer;
-}
-
 static NextWaitingAnswer with_at(NextWaitingAnswer answer, TodoEntry at)
 {
     answer.at = at;
-    return answer;
-}
-
-static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
-{
-    answer.todo.n++;
     return answer;
 }
 

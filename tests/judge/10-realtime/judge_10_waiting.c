@@ -208,24 +208,10 @@ static NextWaitingAnswer ended_if(const TileWaitingJob *in, int is_end, NextWait
     return is_end ? ended(in) : answer;
 }
 
-// By what is handed on.
-static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
-{
-    answer.at.t_min = t_min;
-    answer.at.t_max = t_max;
-    return answer;
-}
-
 static NextWaitingAnswer with_leaf(const TileWaitingJob *in)
 {
     NextWaitingAnswer answer = waiting(in);
     answer.at = in->at;
-    return answer;
-}
-
-static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
-{
-    answer.todo.n++;
     return answer;
 }
 
@@ -256,7 +242,8 @@ KNOWN_LIST(known)
     ANSWERS(by_t_max, search(in, ends_before, in->farthest, TODO_SIZE),
             "a node can matter where it begins before the farthest hit, wherever it ends: its "
             "t_min counts");
-    // Of an epsilon whose size is not known: nodes of the search itself may begin that near, or not.
+    // Of an epsilon whose size is not known: nodes of the search itself may begin that near, or
+    // not.
     EACH(epsilon, IS_FOUND(waiting(in)) || IS_FOUND(begun_by(in, in->farthest + LEAST_STEP)),
          "a node that begins behind the farthest hit is left out, however little behind: without "
          "an epsilon");

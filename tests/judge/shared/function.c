@@ -91,9 +91,9 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
-// Does a mistake that says what an answer is (ANSWERS, EACH, ONE_OF; of a family, ANY) explain every answer
-// of a range? *cause becomes the one that does. Returns how many do, with different sentences: 0, 1
-// or 2.
+// Does a mistake that says what an answer is (ANSWERS, EACH, ONE_OF; of a family, ANY) explain
+// every answer of a range? *cause becomes the one that does. Returns how many do, with different
+// sentences: 0, 1 or 2.
 static int count_answers(const Function *function, const void *job, Range range,
                          const void *answers, int is_family, Cause *cause)
 {

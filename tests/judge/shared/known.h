@@ -27,8 +27,8 @@
 // "Every" is every answer of the function, in the ranges of all checks (but for is_known_by_range
 // of function.h): a sentence that is true in one check and not in another is not the cause.
 // ANSWERS, EACH and ONE_OF are asked first, then ANY; if two with different sentences explain the
-// answers, nothing is said. Of ONLY the first of the list is named: the special one is before the general
-// one. NULL for a sentence: then nothing is said. What is right is told without mistakes:
+// answers, nothing is said. Of ONLY the first of the list is named: the special one is before the
+// general one. NULL for a sentence: then nothing is said. What is right is told without mistakes:
 //
 //   RIGHT(is_right, found == near_side(in))
 //
