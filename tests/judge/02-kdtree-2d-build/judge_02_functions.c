@@ -76,8 +76,8 @@ KNOWN_LIST(known_of_leaf)
     ANSWERS(count_to_depth, low || n_circles <= in.maxDepth || hopeless, OTHER_LIMIT);
     ANSWERS(count_to_failed, low || n_circles <= MAX_FAILED_SPLITS || hopeless, OTHER_LIMIT);
     ANSWERS(count_to_level, low || n_circles <= in.level || hopeless, OTHER_LIMIT);
-    ANSWERS(failed_to_target, low || few || (in.targetElementsPerNode), OTHER_LIMIT);
-    ANSWERS(failed_to_level, low || few || (in.level), OTHER_LIMIT);
+    ANSWERS(failed_to_target, low || few || in.n_failed >= in.targetElementsPerNode, OTHER_LIMIT);
+    ANSWERS(failed_to_level, low || few || in.n_failed >= in.level, OTHER_LIMIT);
     ANSWERS(one_circle_more, low || n_circles <= 1LL + in.targetElementsPerNode || hopeless,
             "one circle more than targetElementsPerNode is not few enough");
 
@@ -87,11 +87,11 @@ KNOWN_LIST(known_of_leaf)
     ANSWERS(one_left, low || in.n_circles <= 1 || hopeless, TARGET_IGNORED);
     ANSWERS(failed_added_beyond, in.level + in.n_failed > in.maxDepth || few || hopeless,
             "your answers are those of a level to which failed splits were added");
-    ANSWERS(one_failed, low || few || (1),
+    ANSWERS(one_failed, low || few || in.n_failed >= 1,
             "one failed split is no reason to stop, only MAX_FAILED_SPLITS are");
-    ANSWERS(two_failed, low || few || (2),
+    ANSWERS(two_failed, low || few || in.n_failed >= 2,
             "two failed splits are no reason to stop, only MAX_FAILED_SPLITS are");
-    ANSWERS(three_failed, low || few || (3),
+    ANSWERS(three_failed, low || few || in.n_failed >= 3,
             "three failed splits are no reason to stop, only MAX_FAILED_SPLITS are");
     ANSWERS(failed_added, in.level + in.n_failed >= in.maxDepth || few || hopeless,
             "your answers are those of a level to which failed splits were added");
