@@ -156,7 +156,8 @@ KNOWN_LIST(known_of_overlap)
 
     ANSWERS(by_middle, holds_middle(in),
             "your answers are those of the cell's middle, and another point may be nearer");
-    EACH(cube, is_of_box(reach, found), "the sphere's bounding cube overlaps, the sphere does not");
+    EACH(cube, is_of_box(reach, found != 0),
+         "the sphere's bounding cube overlaps, the sphere does not");
     ONLY(cell_within, !found && holds_corner(in, 1),
          "a cell that lies within the sphere overlaps it, too: both have their insides");
     ONLY(centre_within, !found && reach_furthest(reach) == 0,
@@ -190,7 +191,7 @@ KNOWN_LIST(known_of_overlap)
     ANSWERS(signed_cube, is_signed_cube(in, radius), SIGNED_CUBE);
     ANSWERS(signed_cube_of_size, is_signed_cube(in, fabs(radius)), SIGNED_CUBE);
     EACH(cube_of_signed,
-         radius < 0 ? !found || reach_furthest(reach) == 0 : is_of_box(reach, found),
+         radius < 0 ? !found || reach_furthest(reach) == 0 : is_of_box(reach, found != 0),
          "the sphere's bounding cube overlaps, the sphere does not; and a negative radius counts "
          "as its absolute value");
     ANSWERS(any_axis, fmin(outside[0], fmin(outside[1], outside[2])) <= fabs(radius),

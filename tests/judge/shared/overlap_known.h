@@ -11,7 +11,7 @@
 static int is_of_box(Reach reach, int found)
 {
     const double radius = fabs(reach.radius), furthest = reach_furthest(reach);
-    return fabs(furthest - radius) <= 0.01 * radius || (found != 0) == (furthest < radius);
+    return fabs(furthest - radius) <= 0.01 * radius || found == (furthest < radius);
 }
 
 // By how much it misses the cell, as an epsilon may be meant: of squares, of distances, or as a
