@@ -27,6 +27,17 @@ void tree2d_free(KdTree2D *tree);
 // The most nodes a tree may have; where there would be more, splitting does not end.
 #define TREE2D_MAX_NODES (1u << 22)
 
+// Why a builder gave up.
+typedef enum KdFault {
+    KD_BUILT,  // none: there is one
+    KD_NO_MEMORY,
+    KD_TOO_MANY_NODES,    // over the limits above
+    KD_TOO_MANY_CIRCLES,  // the same, in the leaves together
+    KD_LONG_CHILD,        // distribute() gave a child more circles than its parent has
+    KD_LONG_LEAF,         // pack_leaf() took more room than the leaf's list needs
+    N_KD_FAULTS,
+} KdFault;
+
 // Does the tree hold together, so that its ids, offsets and counts may be followed? Returns 0, or
 // -1 after one message on stderr that names the first node that does not.
 int tree2d_check(const KdTree2D *tree, u32 n_circles);

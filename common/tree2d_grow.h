@@ -20,8 +20,7 @@ typedef struct KdSteps2D {
 //   h_circles[n_circles]  centres and radii in pixels; not modified
 //   bounds                the root's cell
 //   tree                  out; release with tree2d_free()
-// Returns 0, or -1 after one message on stderr: no memory, a tree over the limits of tree2d.h, or
-// steps that break their contracts.
+// Returns 0, or a KdFault after one message on stderr.
 int tree2d_grow(const KdSteps2D *steps, const Circle *h_circles, u32 n_circles, BBox2D bounds,
                 KdTreeLimits limits, KdTree2D *tree);
 

@@ -9,8 +9,7 @@
 // Build the 2D kd-tree over circles.
 //   h_circles[n_circles]  centres and radii in pixels; not modified
 //   tree                  out; release with tree2d_free()
-// Returns 0, or -1 after one message on stderr: no memory, or a tree over the
-// limits of tree2d.h.
+// Returns 0, or after one message on stderr a KdFault of tree2d.h.
 int kdtree2d_build(const Circle *h_circles, u32 n_circles, KdTreeLimits limits, KdTree2D *tree);
 
 // The root's cell: the smallest box with integer corners whose half-open inside,

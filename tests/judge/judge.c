@@ -70,7 +70,7 @@ static int write_parts(const Job *job, const char *task, FILE *file)
     int result = 0;
     for (int i = 0; result == 0 && i < job->judge->n_parts; i++) {
         const JobPart *part = &job->judge->parts[i];
-        if (task == NULL || is_among(part->tasks, task)) {
+        if (task == NULL || (!part->is_apart && is_among(part->tasks, task))) {
             result =
                 section_write(file, part->section, (const char *)job + part->offset, part->n_bytes);
         }

@@ -61,14 +61,33 @@ typedef struct JudgeCheck {
     Cause (*alone_cause)(const void *job, const struct JudgeCheck *check, const Sections *answers);
 } JudgeCheck;
 
-// A section of the job that lies as an array in the lab's own job.
+// A section of the job that lies as an array in the lab's own job. Where each element is one
+// function's input the probe notes which one, before it calls the function (probes/note.h): for the
+// words that say where a run ended.
 typedef struct JobPart {
     const char *section;
-    const char *tasks;  // by which it is needed alone, parted by blanks; NULL for none
+    const char *tasks;  // whose functions get it, parted by blanks; NULL for none
     size_t offset, n_bytes;
+    size_t input_bytes;  // of an element that is an input; 0 for what inputs refer to
+    int is_apart;        // alone a task gets another one, by write_alone
+    // The words of one input. NULL on the device, where the words are those in which a check tells
+    // a wrong answer to it.
+    void (*describe)(const void *input, char *words, size_t n_bytes);
+    // What a crash with this input comes from, where the input itself tells; else NULL.
+    const char *(*suspect)(const void *input);
 } JobPart;
-#define PART(section, tasks, type, member)                                                         \
-    {section, tasks, offsetof(type, member), sizeof((type *)0)->member}
+#define DATA(name, who, type, member)                                                              \
+    {.section = name,                                                                              \
+     .tasks = who,                                                                                 \
+     .offset = offsetof(type, member),                                                             \
+     .n_bytes = sizeof((type *)0)->member}
+#define INPUTS(name, who, type, member, ...)                                                       \
+    {.section = name,                                                                              \
+     .tasks = who,                                                                                 \
+     .offset = offsetof(type, member),                                                             \
+     .n_bytes = sizeof((type *)0)->member,                                                         \
+     .input_bytes = sizeof *((type *)0)->member,                                                   \
+     __VA_ARGS__}
 
 // The scenes of a job: an array in the lab's own.
 typedef struct JobScenes {
@@ -79,22 +98,13 @@ typedef struct JobScenes {
 #define SCENES(kind, type, member)                                                                 \
     {&(kind), COUNT(((type *)0)->member), offsetof(type, member), sizeof *((type *)0)->member}
 
-// A step of the lab's probe, as it notes it before it calls functions of the student's
-// (probes/note.h): for the words that say where a run ended.
-typedef struct ProbeStep {
-    const char *name;    // of the section with its inputs, or of the answers to scenes
-    const char *where;   // "in split_box", "while kdtree2d_build built a whole tree"
-    const char *task;    // whose answer is all that runs there; NULL where several do
-    size_t input_bytes;  // of one input; 0 for scenes
-    // The words of one input. NULL on the device, where the words are those in which a check tells
-    // a wrong answer to the input, and for scenes, which have titles.
-    void (*describe)(const void *input, char *words, size_t n_bytes);
-    // What a crash with this input comes from, where the input itself tells; else NULL.
-    const char *(*suspect)(const void *input);
-} ProbeStep;
-#define ON_HOST(section, task, type, words) {section, "in " task, task, sizeof(type), words, NULL}
-#define ON_DEVICE(section, task, type) {section, "in " task, task, sizeof(type), NULL, NULL}
-#define ON_SCENES(answers, words, task) {answers, words, task, 0, NULL, NULL}
+// What the lab's probe does with a scene, as it notes it by the name of the scene's answers.
+typedef struct SceneStep {
+    const char *answers;
+    const char *where;  // "while kdtree2d_build built a whole tree"
+    const char *task;   // whose answer is all that runs there; NULL where several do
+} SceneStep;
+enum { MOST_SCENE_STEPS = 4 };
 
 typedef struct Judge {
     const char *lab;  // "01-naive-2d"
@@ -112,8 +122,7 @@ typedef struct Judge {
     const JobPart *parts;
     int n_parts;
     JobScenes scenes;
-    const ProbeStep *steps;
-    int n_steps;
+    SceneStep scene_steps[MOST_SCENE_STEPS];
     // In the place of their kind's, where that does not know all of it.
     int (*write_scene)(const void *job, int k, FILE *file);
     // What one task is tried on alone, besides its parts and replays; NULL for nothing.
@@ -166,11 +175,12 @@ int job_passes_alone(const Job *job, int check, const Sections *answers);
 // it.
 Diagnosis job_alone_cause(Job *job, int check, const Sections *answers);
 
-// Where the probe was when it noted a step of this name and a number: of an input, or of a scene.
+// Where the probe was when it noted this name and a number: of an input, or of a scene.
 typedef struct JobPlace {
-    const ProbeStep *step;  // NULL where the lab has none of this name
-    const char *suspect;    // what a crash there comes from, or NULL
-    char with[240];         // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles"
+    char where[100];      // "in split_box"; "" where the lab has nothing of this name
+    const char *task;     // whose answer is all that runs there, or NULL
+    const char *suspect;  // what a crash there comes from, or NULL
+    char with[240];       // "input 17 of 400: box x [0, 4] y [0, 2]", "random scene, 9 circles"
 } JobPlace;
 // `written` is the job as job_new() has written it.
 JobPlace job_place(const Job *job, const Sections *written, const char *name, uint32_t number);

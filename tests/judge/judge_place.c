@@ -1,18 +1,30 @@
-// Where a run was when it ended, in words: see ProbeStep and JobPlace in judge.h.
+// Where a run was when it ended, in words: see JobPart, SceneStep and JobPlace in judge.h.
 //
 // The note that says so stands where the student's code can write, too: of it only the name of a
-// step of this lab becomes words, and numbers that the job has.
+// section of this lab becomes words, and numbers that the job has.
 #include "judge.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const ProbeStep *step_find(const Judge *judge, const char *name)
+// The inputs of this name, or NULL.
+static const JobPart *part_find(const Judge *judge, const char *name)
 {
-    for (int i = 0; i < judge->n_steps; i++) {
-        if (strcmp(judge->steps[i].name, name) == 0) {
-            return &judge->steps[i];
+    for (int i = 0; i < judge->n_parts; i++) {
+        if (judge->parts[i].input_bytes > 0 && strcmp(judge->parts[i].section, name) == 0) {
+            return &judge->parts[i];
+        }
+    }
+    return NULL;
+}
+
+// What is done with scenes whose answers have this name, or NULL.
+static const SceneStep *step_find(const Judge *judge, const char *name)
+{
+    for (int i = 0; i < MOST_SCENE_STEPS && judge->scene_steps[i].answers != NULL; i++) {
+        if (strcmp(judge->scene_steps[i].answers, name) == 0) {
+            return &judge->scene_steps[i];
         }
     }
     return NULL;
@@ -55,24 +67,24 @@ static void describe_by_check(const Job *job, const char *section, uint32_t numb
 }
 
 // "input 17 of 400: box x [0, 4] y [0, 2]"
-static void describe_input(const Job *job, const ProbeStep *step, const Sections *written,
+static void describe_input(const Job *job, const JobPart *part, const Sections *written,
                            uint32_t number, JobPlace *place)
 {
     size_t n_bytes;
-    const unsigned char *inputs = sections_find_any(written, step->name, &n_bytes);
-    const size_t n = inputs != NULL ? n_bytes / step->input_bytes : 0;
+    const unsigned char *inputs = sections_find_any(written, part->section, &n_bytes);
+    const size_t n = inputs != NULL ? n_bytes / part->input_bytes : 0;
     if (number < n) {
         char input[sizeof place->with - 40];
-        if (step->describe != NULL) {
-            step->describe(inputs + number * step->input_bytes, input, sizeof input);
+        if (part->describe != NULL) {
+            part->describe(inputs + number * part->input_bytes, input, sizeof input);
         } else {
-            describe_by_check(job, step->name, number, n, input, sizeof input);
+            describe_by_check(job, part->section, number, n, input, sizeof input);
         }
         snprintf(place->with, sizeof place->with, "input %" PRIu32 " of %zu%s%s", number + 1, n,
                  input[0] != '\0' ? ": " : "", input);
         place->suspect =
-            step->suspect != NULL ? step->suspect(inputs + number * step->input_bytes) : NULL;
-    } else if (step->describe == NULL && n > 0) {
+            part->suspect != NULL ? part->suspect(inputs + number * part->input_bytes) : NULL;
+    } else if (part->describe == NULL && n > 0) {
         snprintf(place->with, sizeof place->with, "with one of %zu inputs", n);
     }
 }
@@ -90,15 +102,26 @@ static void describe_scene(const Sections *written, uint32_t number, JobPlace *p
     }
 }
 
+// "in pixel_on_display or primary_ray"
+static void say_tasks(const char *tasks, JobPlace *place)
+{
+    const char *second = strchr(tasks, ' ');
+    place->task = second == NULL ? tasks : NULL;
+    snprintf(place->where, sizeof place->where, "in %.*s%s%s", (int)strcspn(tasks, " "), tasks,
+             second != NULL ? " or" : "", second != NULL ? second : "");
+}
+
 JobPlace job_place(const Job *job, const Sections *written, const char *name, uint32_t number)
 {
-    JobPlace place = {.step = step_find(job->judge, name)};
-    if (place.step == NULL) {
-        return place;
-    }
-    if (place.step->input_bytes > 0) {
-        describe_input(job, place.step, written, number, &place);
-    } else {
+    JobPlace place = {.suspect = NULL};
+    const JobPart *part = part_find(job->judge, name);
+    const SceneStep *step = step_find(job->judge, name);
+    if (part != NULL) {
+        say_tasks(part->tasks, &place);
+        describe_input(job, part, written, number, &place);
+    } else if (step != NULL) {
+        snprintf(place.where, sizeof place.where, "%s", step->where);
+        place.task = step->task;
         describe_scene(written, number, &place);
     }
     return place;

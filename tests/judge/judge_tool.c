@@ -95,11 +95,11 @@ static int reply_place(Desk *desk, const char *argument, FILE *reply)
     const Sections written = {.bytes = (unsigned char *)desk->job_bytes,
                               .n_bytes = desk->n_job_bytes};
     const JobPlace place = job_place(desk->job, &written, name, number);
-    return place.step == NULL ? 0
-                              : write_text(reply, "where", place.step->where) |
-                                    write_text(reply, "task", place.step->task) |
-                                    write_text(reply, "with", place.with) |
-                                    write_text(reply, "suspect", place.suspect);
+    return place.where[0] == '\0'
+               ? 0
+               : write_text(reply, "where", place.where) | write_text(reply, "task", place.task) |
+                     write_text(reply, "with", place.with) |
+                     write_text(reply, "suspect", place.suspect);
 }
 
 // The number of a check, or -1.

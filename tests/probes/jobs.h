@@ -63,14 +63,6 @@ typedef struct PackJob {
 } PackJob;
 LAYOUT_ASSERT(PackJob, 1212);
 
-// Why a builder gave up (labs 02, 06 and 08).
-typedef enum TreeRefusal {
-    TREE_TOO_LARGE,
-    TREE_OF_TOO_MANY_IDS,  // a child was given more of them than its parent has
-    TREE_OF_LONG_LISTS,    // a leaf took more room than its list needs
-    N_TREE_REFUSALS,
-} TreeRefusal;
-
 // ---- Replays (labs 02 and 06) -------------------------------------------------------------------
 
 // Where one task's answer is tried alone, it is called as the builder would call it on its way to

@@ -70,7 +70,7 @@ const void *probe_scene_part(const Probe *probe, int k, const char *part, size_t
 
 // Note what is called next, so that the report can say where a crash was.
 //   name    of the job's section with the inputs, or what is answered for scenes: the judge's
-//           ProbeStep (judge.h)
+//           JobPart or SceneStep (judge.h)
 //   input   its number among the section's, the scene's, or PROBE_NO_INPUT
 void probe_note(const Probe *probe, const char *name, uint32_t input);
 

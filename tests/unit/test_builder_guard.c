@@ -18,7 +18,7 @@ static void expect_refused(const char *scene_name)
     const int result =
         kdtree2d_build(scene.circles, (u32)scene.n_circles, (KdTreeLimits){16, 8}, &tree);
     expect_one_message(capture_end(2), "distribute() returned more circles than the node has");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(result, KD_LONG_CHILD);
     cr_expect(tree.n_nodes == 7 && tree.nodes_flag == NULL, "the tree is left alone");
     scene2d_free(&scene);
 }

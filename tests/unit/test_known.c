@@ -20,13 +20,25 @@ typedef struct Numbers {
 #define IS_FOUND(expected) (found == (expected))
 
 RIGHT(is_right, IS_FOUND(2 * in))
-ANSWERS(squared, in *in, "it is squared")
-ANSWERS(doubled_twice, 4 * in, "it is doubled twice")
-ANSWERS(cubed, in *in *in, "it is cubed")
-ONLY(negative, in < 0, "only negative ones are wrong", MISTAKE_STRICT_BOUNDARY)
-ONLY(odd, in % 2 != 0, "only odd ones are wrong")
-ANY(added, 5, IS_FOUND(2 * in + way), "a number is added to it")
-static const Known *const known[] = {&squared, &doubled_twice, &cubed, &negative, &odd, &added};
+
+KNOWN_LIST(known)
+{
+    GIVEN;
+    ANSWERS(squared, in * in, "it is squared");
+    ANSWERS(doubled_twice, 4 * in, "it is doubled twice");
+    ANSWERS(cubed, in * in * in, "it is cubed");
+    ONLY(negative, in < 0, "only negative ones are wrong", MISTAKE_STRICT_BOUNDARY);
+    return NO_MORE;
+}
+
+// A second list.
+KNOWN_LIST(more_known)
+{
+    GIVEN;
+    ONLY(odd, in % 2 != 0, "only odd ones are wrong");
+    ANY(added, 5, IS_FOUND(2 * in + way), "a number is added to it");
+    return NO_MORE;
+}
 
 static char *describe(const void *job, int i, const void *answers)
 {
@@ -35,7 +47,7 @@ static char *describe(const void *job, int i, const void *answers)
 }
 
 static const Function doubles = {"doubles", N_NUMBERS, sizeof(int),
-                                 KNOWING(is_right, describe, known)};
+                                 KNOWING(is_right, describe, known, more_known)};
 
 // What a function says of these answers for the numbers of a job, or for `range` of them.
 static void expect_said_by(const Function *function, const void *job, Range range,

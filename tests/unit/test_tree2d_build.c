@@ -209,7 +209,7 @@ Test(tree2d_build, circles_overlap_boxes_as_the_oracle_says)
 
 // ---- Refused ------------------------------------------------------------------------------------
 
-static void expect_refused(JobScene scene, KdTreeLimits limits, const char *part)
+static void expect_refused(JobScene scene, KdTreeLimits limits, KdFault fault, const char *part)
 {
     KdTree2D tree;
     memset(&tree, 0x5a, sizeof tree);
@@ -218,7 +218,7 @@ static void expect_refused(JobScene scene, KdTreeLimits limits, const char *part
     const int result =
         kdtree2d_build(scene.scene.circles, (u32)scene.scene.n_circles, limits, &tree);
     expect_one_message(capture_end(2), part);
-    cr_expect_eq(result, -1);
+    cr_expect_eq(result, (int)fault);
     cr_expect_eq(memcmp(&tree, &untouched, sizeof tree), 0);
     job_scene_free(&scene);
 }
@@ -226,13 +226,13 @@ static void expect_refused(JobScene scene, KdTreeLimits limits, const char *part
 Test(tree2d_build, too_many_nodes_are_refused)
 {
     expect_refused(row_of(9000, (Circle){.radius = 0.25f}, 1, 0), (KdTreeLimits){40, 1},
-                   "too many nodes");
+                   KD_TOO_MANY_NODES, "too many nodes");
 }
 
 Test(tree2d_build, too_many_entries_are_refused)
 {
     expect_refused(row_of(5000, (Circle){.radius = 1}, 0, 0), (KdTreeLimits){40, 1},
-                   "the leaves would hold too many circles");
+                   KD_TOO_MANY_CIRCLES, "the leaves would hold too many circles");
 }
 
 Test(tree2d_build, memory_that_runs_out_is_told_wherever_it_does)
@@ -248,6 +248,7 @@ Test(tree2d_build, memory_that_runs_out_is_told_wherever_it_does)
         n_allocations_left = -1;
         const char *message = capture_end(2);
         if (result != 0) {
+            cr_expect_eq(result, KD_NO_MEMORY);
             expect_one_message(message, "kdtree2d_build: no memory");
             cr_assert_lt(n, 5000);
         } else {

@@ -220,13 +220,6 @@ static const JudgeCheck checks[] = {
      .scene = judge_00_read_back, .range = {0, N_SIZES}},
 };
 
-static const ProbeStep steps[] = {
-    ON_SCENES("picture", "in the kernel gradient", "gradient"),
-    ON_SCENES("arguments", "in set_arguments", "set_arguments"),
-    ON_SCENES("items", "in enqueue_pixels", "enqueue_pixels"),
-    ON_SCENES("readback", "in read_back", "read_back"),
-};
-
 const Judge judge_00 = {
     .lab = "00-hello-pixels",
     .checks = checks,
@@ -235,8 +228,10 @@ const Judge judge_00 = {
     .roll = roll,
     .release = release,
     .scenes = SCENES(picture_kind, Job00, gradients),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"picture", "in the kernel gradient", "gradient"},
+                    {"arguments", "in set_arguments", "set_arguments"},
+                    {"items", "in enqueue_pixels", "enqueue_pixels"},
+                    {"readback", "in read_back", "read_back"}},
     .write_scene = write_scene,
     .write_alone = write_alone,
     .adopts = 1,

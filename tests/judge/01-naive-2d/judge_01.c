@@ -156,12 +156,7 @@ static const JudgeCheck checks[] = {
      .alone_scene = nearest_is_drawn, .alone_cause = nearest_cause},
 };
 
-static const JobPart parts[] = {PART("overlaps", "overlaps_N_Nearer", Job01, overlaps)};
-
-static const ProbeStep steps[] = {
-    ON_DEVICE("overlaps", "overlaps_N_Nearer", OverlapJob),
-    ON_SCENES("picture", "in implicit2DRenderer", NULL),
-};
+static const JobPart parts[] = {INPUTS("overlaps", "overlaps_N_Nearer", Job01, overlaps)};
 
 const Judge judge_01 = {
     .lab = "01-naive-2d",
@@ -172,8 +167,7 @@ const Judge judge_01 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job01, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"picture", "in implicit2DRenderer", NULL}},
     .write_alone = write_alone,
     .adopts = 1,
 };

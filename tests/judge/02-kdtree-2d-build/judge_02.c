@@ -17,13 +17,11 @@ typedef struct Refusal {
     const char *says;
 } Refusal;
 
-static const Refusal refusals[N_TREE_REFUSALS] = {
-    [TREE_TOO_LARGE] = {NULL, NULL, "the tree grows and grows: does splitting ever end?"},
-    [TREE_OF_TOO_MANY_IDS] = {"distribute", "tree-lists",
-                              "distribute() returned more circles than the node has"},
-    [TREE_OF_LONG_LISTS] = {"pack_leaf", "tree-packing",
-                            "pack_leaf() moved n_map by more than the leaf's list is long"},
-};
+static const Refusal too_large = {NULL, NULL, "the tree grows and grows: does splitting ever end?"};
+static const Refusal long_child = {"distribute", "tree-lists",
+                                   "distribute() returned more circles than the node has"};
+static const Refusal long_leaf = {"pack_leaf", "tree-packing",
+                                  "pack_leaf() moved n_map by more than the leaf's list is long"};
 
 // Why there is no tree: the builder gave up, or the probe ended before.
 static Verdict tree_refused(const char *title, int k, const char *task, const Sections *answers)
@@ -32,7 +30,9 @@ static Verdict tree_refused(const char *title, int k, const char *task, const Se
     if (reason == NULL) {
         return verdict_missing;
     }
-    const Refusal *refusal = &refusals[*reason < N_TREE_REFUSALS ? *reason : TREE_TOO_LARGE];
+    const Refusal *refusal = *reason == KD_LONG_CHILD  ? &long_child
+                             : *reason == KD_LONG_LEAF ? &long_leaf
+                                                       : &too_large;
     if (refusal->task != NULL && strcmp(refusal->task, task) != 0) {
         return verdict_of(
             diagnosis_new("%s: kdtree2d_build gave up: see %s", title, refusal->check));
@@ -138,14 +138,6 @@ static const JudgeCheck checks[] = {
      .tree2d = tree_judge_packing, .range = {0, N_SCENES}, .alone_scene = packs_alone_02},
 };
 
-static const JobPart parts[] = {
-    PART("leaves", "is_leaf", Job02, leaves),
-    PART("splits", "split_box", Job02, splits),
-    PART("overlaps", "circle_overlaps_box", Job02, overlaps),
-    PART("distribute", NULL, Job02, distributes),  // alone behind what it needs: write_alone_02()
-    PART("pack", "pack_leaf", Job02, packs),
-};
-
 static void describe_leaf(const void *input, char *words, size_t n_bytes)
 {
     const LeafJob *in = input;
@@ -182,13 +174,13 @@ static void describe_pack(const void *input, char *words, size_t n_bytes)
     snprintf(words, n_bytes, "leaf with %u circles, map of %u entries", in->n_ids, in->n_before);
 }
 
-static const ProbeStep steps[] = {
-    ON_HOST("leaves", "is_leaf", LeafJob, describe_leaf),
-    ON_HOST("splits", "split_box", BBox2D, describe_box),
-    ON_HOST("overlaps", "circle_overlaps_box", BoxOverlapJob, describe_circle_and_box),
-    ON_HOST("distribute", "distribute", DistributeJob, describe_distribute),
-    ON_HOST("pack", "pack_leaf", PackJob, describe_pack),
-    ON_SCENES("tree", "while kdtree2d_build built a whole tree", NULL),
+static const JobPart parts[] = {
+    INPUTS("leaves", "is_leaf", Job02, leaves, .describe = describe_leaf),
+    INPUTS("splits", "split_box", Job02, splits, .describe = describe_box),
+    INPUTS("overlaps", "circle_overlaps_box", Job02, overlaps, .describe = describe_circle_and_box),
+    INPUTS("distribute", "distribute", Job02, distributes, .is_apart = 1,
+           .describe = describe_distribute),  // alone behind what it needs: write_alone_02()
+    INPUTS("pack", "pack_leaf", Job02, packs, .describe = describe_pack),
 };
 
 const Judge judge_02 = {
@@ -200,8 +192,7 @@ const Judge judge_02 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job02, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"tree", "while kdtree2d_build built a whole tree", NULL}},
     .write_scene = job_02_write_scene,
     .write_alone = write_alone_02,
     .add_pictures = add_pictures,

@@ -14,111 +14,103 @@
     const int found = ((const i32 *)answers)[i]
 #define IS_FOUND(expected) (found == (expected))
 
-#define LIMITS ((KdTreeLimits){in.maxDepth, in.targetElementsPerNode})
-#define LEAF_02 oracle_is_leaf(in.level, in.n_circles, in.n_failed, LIMITS)
+static int leaf_02(LeafJob in)
+{
+    const KdTreeLimits limits = {in.maxDepth, in.targetElementsPerNode};
+    return oracle_is_leaf(in.level, in.n_circles, in.n_failed, limits);
+}
 
-RIGHT(is_right_leaf, IS_FOUND(LEAF_02))
+RIGHT(is_right_leaf, IS_FOUND(leaf_02(in)))
 
-#define LOW (in.level >= in.maxDepth)
-#define FEW (in.n_circles <= (u32)in.targetElementsPerNode)
-#define FAILED(n) (in.n_failed >= (n))
-#define HOPELESS FAILED(MAX_FAILED_SPLITS)
+#define OTHER_LIMIT "one of the three numbers was compared with what is the limit of another"
 
-EACH(just_1_and_0, (found != 0) == LEAF_02, JUST_1_AND_0)
-ANSWERS(one_level_more, in.level > in.maxDepth || FEW || HOPELESS,
-        "your answers are those of level > maxDepth: a node on level maxDepth is a leaf")
-ANSWERS(one_level_less, in.level + 1 >= in.maxDepth || FEW || HOPELESS,
-        "your answers are those of a root on level 0: levels count from 1")
-ANSWERS(fewer, LOW || in.n_circles < (u32)in.targetElementsPerNode || HOPELESS,
-        "your answers are those of n_circles < targetElementsPerNode: exactly that many are few "
-        "enough")
-ANSWERS(without_level, FEW || HOPELESS, "the level was not asked for")
-ANSWERS(without_count, LOW || HOPELESS, "the number of circles was not asked for")
+KNOWN_LIST(known_of_leaf)
+{
+    GIVEN;
+    const int leaf = leaf_02(in);
+    const int low = in.level >= in.maxDepth;
+    const int few = in.n_circles <= (u32)in.targetElementsPerNode;
+    const int hopeless = in.n_failed >= MAX_FAILED_SPLITS;
+    const int64_t n_circles = in.n_circles;
+
+    EACH(just_1_and_0, (found != 0) == leaf, JUST_1_AND_0);
+    ANSWERS(one_level_more, in.level > in.maxDepth || few || hopeless,
+            "your answers are those of level > maxDepth: a node on level maxDepth is a leaf");
+    ANSWERS(one_level_less, in.level + 1 >= in.maxDepth || few || hopeless,
+            "your answers are those of a root on level 0: levels count from 1");
+    ANSWERS(fewer, low || in.n_circles < (u32)in.targetElementsPerNode || hopeless,
+            "your answers are those of n_circles < targetElementsPerNode: exactly that many are "
+            "few enough");
+    ANSWERS(without_level, few || hopeless, "the level was not asked for");
+    ANSWERS(without_count, low || hopeless, "the number of circles was not asked for");
 #define BOTH_NEEDED "your answers are those of && between two reasons: one reason is enough"
-ANSWERS(level_and_count, (LOW && FEW) || HOPELESS, BOTH_NEEDED)
-ANSWERS(level_and_failed, (LOW && HOPELESS) || FEW, BOTH_NEEDED)
-ANSWERS(count_and_failed, LOW || (FEW && HOPELESS), BOTH_NEEDED)
-ANSWERS(level_and_rest, LOW && (FEW || HOPELESS), BOTH_NEEDED)
-ANSWERS(count_and_rest, FEW && (LOW || HOPELESS), BOTH_NEEDED)
-ANSWERS(failed_and_rest, HOPELESS && (LOW || FEW), BOTH_NEEDED)
-ANSWERS(all_three, LOW &&FEW &&HOPELESS, "one of the three reasons is enough, not only all")
+    ANSWERS(level_and_count, (low && few) || hopeless, BOTH_NEEDED);
+    ANSWERS(level_and_failed, (low && hopeless) || few, BOTH_NEEDED);
+    ANSWERS(count_and_failed, low || (few && hopeless), BOTH_NEEDED);
+    ANSWERS(level_and_rest, low && (few || hopeless), BOTH_NEEDED);
+    ANSWERS(count_and_rest, few && (low || hopeless), BOTH_NEEDED);
+    ANSWERS(failed_and_rest, hopeless && (low || few), BOTH_NEEDED);
+    ANSWERS(all_three, low && few && hopeless, "one of the three reasons is enough, not only all");
 #define BEYOND                                                                                     \
     "your answers are those of == with a limit: it counts, and so does everything beyond it"
-ANSWERS(just_level, in.level == in.maxDepth || FEW || HOPELESS, BEYOND)
-ANSWERS(just_count, LOW || in.n_circles == (u32)in.targetElementsPerNode || HOPELESS, BEYOND)
-ANSWERS(just_failed, LOW || FEW || in.n_failed == MAX_FAILED_SPLITS, BEYOND)
+    ANSWERS(just_level, in.level == in.maxDepth || few || hopeless, BEYOND);
+    ANSWERS(just_count, low || in.n_circles == (u32)in.targetElementsPerNode || hopeless, BEYOND);
+    ANSWERS(just_failed, low || few || in.n_failed == MAX_FAILED_SPLITS, BEYOND);
 #define TURNED "your answers are those of a comparison the wrong way round"
-ANSWERS(level_turned, in.level <= in.maxDepth || FEW || HOPELESS, TURNED)
-ANSWERS(level_below, in.level < in.maxDepth || FEW || HOPELESS, TURNED)
-ANSWERS(count_turned, LOW || in.n_circles >= (u32)in.targetElementsPerNode || HOPELESS, TURNED)
-ANSWERS(count_above, LOW || !FEW || HOPELESS, TURNED)
-ANSWERS(failed_turned, LOW || FEW || in.n_failed <= MAX_FAILED_SPLITS, TURNED)
-ANSWERS(failed_below, LOW || FEW || !HOPELESS, TURNED)
-ANSWERS(contrary, !LEAF_02, "1 and 0 are swapped: 1 is a leaf")
-ANSWERS(one_failed_more, LOW || FEW || in.n_failed > MAX_FAILED_SPLITS,
-        "your answers are those of n_failed > MAX_FAILED_SPLITS: exactly that many are enough")
-ANSWERS(without_failed, LOW || FEW,
-        "failed splits never make a leaf there: MAX_FAILED_SPLITS of them do")
-ANSWERS(limits_swapped,
-        in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || HOPELESS,
-        "the two limits are in each other's places")
-#define OTHER_LIMIT "one of the three numbers was compared with what is the limit of another"
-#define LEAF_WHERE(name, low, few, hopeless, ...)                                                  \
-    ANSWERS(name, (low) || (few) || (hopeless), __VA_ARGS__)
-#define N_CIRCLES (int64_t)in.n_circles
-LEAF_WHERE(level_to_target, in.level >= in.targetElementsPerNode, FEW, HOPELESS, OTHER_LIMIT)
-LEAF_WHERE(level_to_failed, in.level >= MAX_FAILED_SPLITS, FEW, HOPELESS, OTHER_LIMIT)
-LEAF_WHERE(count_to_depth, LOW, N_CIRCLES <= in.maxDepth, HOPELESS, OTHER_LIMIT)
-LEAF_WHERE(count_to_failed, LOW, N_CIRCLES <= MAX_FAILED_SPLITS, HOPELESS, OTHER_LIMIT)
-LEAF_WHERE(count_to_level, LOW, N_CIRCLES <= in.level, HOPELESS, OTHER_LIMIT)
-LEAF_WHERE(failed_to_target, LOW, FEW, FAILED(in.targetElementsPerNode), OTHER_LIMIT)
-LEAF_WHERE(failed_to_level, LOW, FEW, FAILED(in.level), OTHER_LIMIT)
-LEAF_WHERE(one_circle_more, LOW, N_CIRCLES <= 1LL + in.targetElementsPerNode, HOPELESS,
-           "one circle more than targetElementsPerNode is not few enough")
-#define KNOWN_OTHER_LIMITS                                                                         \
-    &level_to_target, &level_to_failed, &count_to_depth, &count_to_failed, &count_to_level,        \
-        &failed_to_target, &failed_to_level, &one_circle_more
+    ANSWERS(level_turned, in.level <= in.maxDepth || few || hopeless, TURNED);
+    ANSWERS(level_below, in.level < in.maxDepth || few || hopeless, TURNED);
+    ANSWERS(count_turned, low || in.n_circles >= (u32)in.targetElementsPerNode || hopeless, TURNED);
+    ANSWERS(count_above, low || !few || hopeless, TURNED);
+    ANSWERS(failed_turned, low || few || in.n_failed <= MAX_FAILED_SPLITS, TURNED);
+    ANSWERS(failed_below, low || few || !hopeless, TURNED);
+    ANSWERS(contrary, !leaf, "1 and 0 are swapped: 1 is a leaf");
+    ANSWERS(one_failed_more, low || few || in.n_failed > MAX_FAILED_SPLITS,
+            "your answers are those of n_failed > MAX_FAILED_SPLITS: exactly that many are enough");
+    ANSWERS(without_failed, low || few,
+            "failed splits never make a leaf there: MAX_FAILED_SPLITS of them do");
+    ANSWERS(limits_swapped,
+            in.level >= in.targetElementsPerNode || in.n_circles <= (u32)in.maxDepth || hopeless,
+            "the two limits are in each other's places");
+    ANSWERS(level_to_target, in.level >= in.targetElementsPerNode || few || hopeless, OTHER_LIMIT);
+    ANSWERS(level_to_failed, in.level >= MAX_FAILED_SPLITS || few || hopeless, OTHER_LIMIT);
+    ANSWERS(count_to_depth, low || n_circles <= in.maxDepth || hopeless, OTHER_LIMIT);
+    ANSWERS(count_to_failed, low || n_circles <= MAX_FAILED_SPLITS || hopeless, OTHER_LIMIT);
+    ANSWERS(count_to_level, low || n_circles <= in.level || hopeless, OTHER_LIMIT);
+    ANSWERS(failed_to_target, low || few || in.n_failed >= in.targetElementsPerNode, OTHER_LIMIT);
+    ANSWERS(failed_to_level, low || few || in.n_failed >= in.level, OTHER_LIMIT);
+    ANSWERS(one_circle_more, low || n_circles <= 1LL + in.targetElementsPerNode || hopeless,
+            "one circle more than targetElementsPerNode is not few enough");
 
 #define TARGET_IGNORED                                                                             \
     "your answers are those of a number of your own: targetElementsPerNode says what is few"
-ANSWERS(none_left, LOW || in.n_circles == 0 || HOPELESS, TARGET_IGNORED)
-ANSWERS(one_left, LOW || in.n_circles <= 1 || HOPELESS, TARGET_IGNORED)
-ANSWERS(failed_added_beyond, in.level + in.n_failed > in.maxDepth || FEW || HOPELESS,
-        "your answers are those of a level to which failed splits were added")
-ANSWERS(one_failed, LOW || FEW || FAILED(1),
-        "one failed split is no reason to stop, only MAX_FAILED_SPLITS are")
-ANSWERS(two_failed, LOW || FEW || FAILED(2),
-        "two failed splits are no reason to stop, only MAX_FAILED_SPLITS are")
-ANSWERS(three_failed, LOW || FEW || FAILED(3),
-        "three failed splits are no reason to stop, only MAX_FAILED_SPLITS are")
-ANSWERS(failed_added, in.level + in.n_failed >= in.maxDepth || FEW || HOPELESS,
-        "your answers are those of a level to which failed splits were added")
-ANSWERS(limits_16_8, in.level >= 16 || in.n_circles <= 8 || HOPELESS,
-        "your answers are those of limits 16 and 8, whatever limits are given")
-ANSWERS(limits_4_1, in.level >= 4 || in.n_circles <= 1 || HOPELESS,
-        "your answers are those of limits 4 and 1, whatever limits are given")
-ANSWERS(level_in_8_bits, (in.level & 0xff) >= in.maxDepth || FEW || HOPELESS,
-        "your answers are those of a level cut to 8 bits")
-ANSWERS(count_in_8_bits, LOW || (int)(in.n_circles & 0xff) <= in.targetElementsPerNode || HOPELESS,
-        "your answers are those of a count cut to 8 bits")
-ANSWERS(count_in_16_bits,
-        LOW || (int)(in.n_circles & 0xffff) <= in.targetElementsPerNode || HOPELESS,
-        "your answers are those of a count cut to 16 bits")
-ANSWERS(signed_count, LOW || (i32)in.n_circles <= in.targetElementsPerNode || HOPELESS,
-        "your answers are those of a count with a sign: n_circles has none")
-
-static const Known *const known_of_leaf[] = {
-    &just_1_and_0,        &one_level_more,   &one_level_less,  &fewer,
-    &without_level,       &without_count,    &level_and_count, &level_and_failed,
-    &count_and_failed,    &level_and_rest,   &count_and_rest,  &failed_and_rest,
-    &all_three,           &just_level,       &just_count,      &just_failed,
-    &level_turned,        &level_below,      &count_turned,    &count_above,
-    &failed_turned,       &failed_below,     &contrary,        &limits_swapped,
-    &one_failed_more,     &without_failed,   &none_left,       &one_left,
-    &failed_added_beyond, &one_failed,       &two_failed,      &three_failed,
-    &failed_added,        &limits_16_8,      &limits_4_1,      &level_in_8_bits,
-    &count_in_8_bits,     &count_in_16_bits, &signed_count,    KNOWN_OTHER_LIMITS,
-};
+    ANSWERS(none_left, low || in.n_circles == 0 || hopeless, TARGET_IGNORED);
+    ANSWERS(one_left, low || in.n_circles <= 1 || hopeless, TARGET_IGNORED);
+    ANSWERS(failed_added_beyond, in.level + in.n_failed > in.maxDepth || few || hopeless,
+            "your answers are those of a level to which failed splits were added");
+    ANSWERS(one_failed, low || few || in.n_failed >= 1,
+            "one failed split is no reason to stop, only MAX_FAILED_SPLITS are");
+    ANSWERS(two_failed, low || few || in.n_failed >= 2,
+            "two failed splits are no reason to stop, only MAX_FAILED_SPLITS are");
+    ANSWERS(three_failed, low || few || in.n_failed >= 3,
+            "three failed splits are no reason to stop, only MAX_FAILED_SPLITS are");
+    ANSWERS(failed_added, in.level + in.n_failed >= in.maxDepth || few || hopeless,
+            "your answers are those of a level to which failed splits were added");
+    ANSWERS(limits_16_8, in.level >= 16 || in.n_circles <= 8 || hopeless,
+            "your answers are those of limits 16 and 8, whatever limits are given");
+    ANSWERS(limits_4_1, in.level >= 4 || in.n_circles <= 1 || hopeless,
+            "your answers are those of limits 4 and 1, whatever limits are given");
+    ANSWERS(level_in_8_bits, (in.level & 0xff) >= in.maxDepth || few || hopeless,
+            "your answers are those of a level cut to 8 bits");
+    ANSWERS(count_in_8_bits,
+            low || (int)(in.n_circles & 0xff) <= in.targetElementsPerNode || hopeless,
+            "your answers are those of a count cut to 8 bits");
+    ANSWERS(count_in_16_bits,
+            low || (int)(in.n_circles & 0xffff) <= in.targetElementsPerNode || hopeless,
+            "your answers are those of a count cut to 16 bits");
+    ANSWERS(signed_count, low || (i32)in.n_circles <= in.targetElementsPerNode || hopeless,
+            "your answers are those of a count with a sign: n_circles has none");
+    return NO_MORE;
+}
 
 static char *describe_leaf(const void *job, int i, const void *answers)
 {
@@ -127,7 +119,7 @@ static char *describe_leaf(const void *job, int i, const void *answers)
                        "targetElementsPerNode %d: found %d, expected %d",
                        in.level, in.n_circles, plural(in.n_circles), in.n_failed,
                        plural((unsigned)in.n_failed), in.maxDepth, in.targetElementsPerNode, found,
-                       LEAF_02);
+                       leaf_02(in));
 }
 
 const Function is_leaf_02 = {"leaves", N_LEAVES, sizeof(i32),
@@ -169,137 +161,133 @@ static int is_split_at(const BBox2D found[2], BBox2D in, Side side, float border
     const BBox2D in = ((const Job02 *)job)->splits[i];                                             \
     const BBox2D *found = (const BBox2D *)answers + 2 * i;                                         \
     const Side side = side_of(found);                                                              \
-    (void)side
+    const double width = (double)in.maxX - in.minX, height = (double)in.maxY - in.minY;            \
+    (void)side, (void)width, (void)height
 
 // Which side: the longer one. Across a side of no length nothing is seen of a split.
-#define WIDTH ((double)in.maxX - in.minX)
-#define HEIGHT ((double)in.maxY - in.minY)
 #define IS_FOUND(x_is_split)                                                                       \
-    ((x_is_split) ? side == SIDE_X || (WIDTH == 0 && side == SIDE_NONE)                            \
-                  : side == SIDE_Y || (HEIGHT == 0 && side == SIDE_NONE))
+    ((x_is_split) ? side == SIDE_X || (width == 0 && side == SIDE_NONE)                            \
+                  : side == SIDE_Y || (height == 0 && side == SIDE_NONE))
 
-RIGHT(is_longer, IS_FOUND(WIDTH >= HEIGHT))
+RIGHT(is_longer, IS_FOUND(width >= height))
 
-#define NEARLY_EQUAL                                                                               \
-    (WIDTH != HEIGHT && HEIGHT - WIDTH < HEIGHT / 1024 && WIDTH - HEIGHT < WIDTH / 1024)
 #define SHORTER "the shorter side was split"
 #define NOT_EQUAL "the sides are not equal, if nearly: the longer one is split"
 
-#define WRONG_SIDE "a side was computed wrongly: it is its own maximum minus its own minimum"
-ANSWERS(sum_of_x, (double)in.maxX + in.minX >= HEIGHT, WRONG_SIDE)
-ANSWERS(sum_of_y, WIDTH >= (double)in.maxY + in.minY, WRONG_SIDE)
-ANSWERS(sums, (double)in.maxX + in.minX >= (double)in.maxY + in.minY, WRONG_SIDE)
-ANSWERS(x_is_max, in.maxX >= HEIGHT, WRONG_SIDE)
-ANSWERS(y_is_max, WIDTH >= in.maxY, WRONG_SIDE)
-// So are a width that begins at minY, and a height that begins at minX, or ends at the other's end.
-ANSWERS(by_corners, in.maxX >= in.maxY,
-        "your answers are those of maxX against maxY: the lengths of the sides count")
-ANSWERS(by_low_corners, in.minX <= in.minY,
-        "your answers are those of minX against minY: the lengths of the sides count")
-ANSWERS(always_x, 1, SHORTER)
-ANSWERS(always_y, 0, SHORTER)
-ANSWERS(whole_numbers, (int)WIDTH >= (int)HEIGHT, NOT_EQUAL)
-EACH(shorter, WIDTH == HEIGHT || IS_FOUND(WIDTH < HEIGHT), SHORTER)
-ONLY(none_split, side == SIDE_NONE, "nothing was split, or both sides")
-ONLY(equal, side != SIDE_NONE && WIDTH == HEIGHT, "where both sides are equal, x is split")
-ONLY(nearly_equal, side != SIDE_NONE && NEARLY_EQUAL, NOT_EQUAL)
-ONLY(some_shorter, side != SIDE_NONE && WIDTH != HEIGHT && !NEARLY_EQUAL, SHORTER)
+KNOWN_LIST(known_of_longer)
+{
+    GIVEN;
+    const int is_nearly_equal =
+        width != height && height - width < height / 1024 && width - height < width / 1024;
 
-static const Known *const known_of_longer[] = {
-    &by_corners, &by_low_corners, &sum_of_x, &sum_of_y,     &sums,
-    &x_is_max,   &y_is_max,       &always_x, &always_y,     &whole_numbers,
-    &shorter,    &none_split,     &equal,    &nearly_equal, &some_shorter};
+#define WRONG_SIDE "a side was computed wrongly: it is its own maximum minus its own minimum"
+    ANSWERS(sum_of_x, (double)in.maxX + in.minX >= height, WRONG_SIDE);
+    ANSWERS(sum_of_y, width >= (double)in.maxY + in.minY, WRONG_SIDE);
+    ANSWERS(sums, (double)in.maxX + in.minX >= (double)in.maxY + in.minY, WRONG_SIDE);
+    ANSWERS(x_is_max, in.maxX >= height, WRONG_SIDE);
+    ANSWERS(y_is_max, width >= in.maxY, WRONG_SIDE);
+    // So are a width that begins at minY, and a height that begins at minX, or ends at the other's
+    // end.
+    ANSWERS(by_corners, in.maxX >= in.maxY,
+            "your answers are those of maxX against maxY: the lengths of the sides count");
+    ANSWERS(by_low_corners, in.minX <= in.minY,
+            "your answers are those of minX against minY: the lengths of the sides count");
+    ANSWERS(always_x, 1, SHORTER);
+    ANSWERS(always_y, 0, SHORTER);
+    ANSWERS(whole_numbers, (int)width >= (int)height, NOT_EQUAL);
+    EACH(shorter, width == height || IS_FOUND(width < height), SHORTER);
+    ONLY(none_split, side == SIDE_NONE, "nothing was split, or both sides");
+    ONLY(equal, side != SIDE_NONE && width == height, "where both sides are equal, x is split");
+    ONLY(nearly_equal, side != SIDE_NONE && is_nearly_equal, NOT_EQUAL);
+    ONLY(some_shorter, side != SIDE_NONE && width != height && !is_nearly_equal, SHORTER);
+    return NO_MORE;
+}
 
 // Where: along the side that the student has split, be it the right one or not. Across a side of no
 // length nothing is seen of a split.
-#define OWN_SIDE                                                                                   \
-    (side != SIDE_NONE ? side                                                                      \
-     : WIDTH == 0      ? SIDE_X                                                                    \
-     : HEIGHT == 0     ? SIDE_Y                                                                    \
-     : WIDTH >= HEIGHT ? SIDE_X                                                                    \
-                       : SIDE_Y)
-#define LOW_END (OWN_SIDE == SIDE_X ? in.minX : in.minY)
-#define HIGH_END (OWN_SIDE == SIDE_X ? in.maxX : in.maxY)
-#define MIDDLE (float)(((double)LOW_END + HIGH_END) / 2)
-#define IS_LOWER(half, border) is_part(found[half], in, OWN_SIDE, 0, border)
-#define IS_UPPER(half, border) is_part(found[half], in, OWN_SIDE, 1, border)
-#undef IS_FOUND
-#define IS_FOUND(border) is_split_at(found, in, OWN_SIDE, border)
+static Side own_side(BBox2D in, Side split)
+{
+    const double width = (double)in.maxX - in.minX, height = (double)in.maxY - in.minY;
+    return split != SIDE_NONE ? split
+           : width == 0       ? SIDE_X
+           : height == 0      ? SIDE_Y
+           : width >= height  ? SIDE_X
+                              : SIDE_Y;
+}
 
-RIGHT(is_middle, IS_FOUND(MIDDLE))
+static float low_end(BBox2D in, Side side)
+{
+    return side == SIDE_X ? in.minX : in.minY;
+}
+
+static float high_end(BBox2D in, Side side)
+{
+    return side == SIDE_X ? in.maxX : in.maxY;
+}
+
+static float middle_of(BBox2D in, Side side)
+{
+    return (float)(((double)low_end(in, side) + high_end(in, side)) / 2);
+}
+
+#undef IS_FOUND
+#define IS_FOUND(border) is_split_at(found, in, own_side(in, side), border)
+
+RIGHT(is_middle, IS_FOUND(middle_of(in, own_side(in, side))))
 
 // Wrong on both sides, or on one of them.
 #define BORDER(name, border, ...)                                                                  \
-    ANSWERS(name, border, __VA_ARGS__)                                                             \
-    ANSWERS(name##_of_x, OWN_SIDE == SIDE_X ? (border) : MIDDLE, __VA_ARGS__)                      \
-    ANSWERS(name##_of_y, OWN_SIDE == SIDE_Y ? (border) : MIDDLE, __VA_ARGS__)
-#define BORDERS(name) &name, &name##_of_x, &name##_of_y
-#define LENGTH (HIGH_END - LOW_END)
-#define OTHER_LOW (OWN_SIDE == SIDE_X ? in.minY : in.minX)
-#define OTHER_HIGH (OWN_SIDE == SIDE_X ? in.maxY : in.maxX)
+    ANSWERS(name, border, __VA_ARGS__);                                                            \
+    ANSWERS(name##_of_x, own == SIDE_X ? (border) : middle, __VA_ARGS__);                          \
+    ANSWERS(name##_of_y, own == SIDE_Y ? (border) : middle, __VA_ARGS__)
+KNOWN_LIST(known_of_middle)
+{
+    GIVEN;
+    const Side own = own_side(in, side), other = own == SIDE_X ? SIDE_Y : SIDE_X;
+    const float low = low_end(in, own), high = high_end(in, own), length = high - low;
+    const float other_low = low_end(in, other), other_high = high_end(in, other);
+    const float middle = middle_of(in, own), border_found = high_end(found[0], own);
 
-BORDER(half_the_length, LENGTH / 2, "that is half of a length: the cell does not begin at 0")
-BORDER(half_of_max, HIGH_END / 2, "that is half of the upper border: the cell does not begin at 0")
-BORDER(behind_max, HIGH_END + LENGTH / 2,
-       "half the length was added to the upper border, not to the lower one")
-BORDER(before_min, LOW_END - LENGTH / 2,
-       "half the length was taken off the lower border: it is to be added")
-BORDER(middle_added, LOW_END + MIDDLE, "the middle was added to the lower border once more")
-BORDER(not_halved, HIGH_END, "the whole length was added to the lower border, not half of it")
-BORDER(sum_not_halved, LOW_END + HIGH_END, "the sum of the borders was not halved")
-BORDER(doubled, LOW_END + LENGTH * 2, "the length was doubled, not halved")
-BORDER(other_middle, (float)(((double)OTHER_LOW + OTHER_HIGH) / 2),
-       "that is the middle of the other side's borders")
-BORDER(from_other_low, OTHER_LOW + LENGTH / 2,
-       "the middle was counted from the lower border of the other side")
+    BORDER(half_the_length, length / 2, "that is half of a length: the cell does not begin at 0");
+    BORDER(half_of_max, high / 2, "that is half of the upper border: the cell does not begin at 0");
+    BORDER(behind_max, high + length / 2,
+           "half the length was added to the upper border, not to the lower one");
+    BORDER(before_min, low - length / 2,
+           "half the length was taken off the lower border: it is to be added");
+    BORDER(middle_added, low + middle, "the middle was added to the lower border once more");
+    BORDER(not_halved, high, "the whole length was added to the lower border, not half of it");
+    BORDER(sum_not_halved, low + high, "the sum of the borders was not halved");
+    BORDER(doubled, low + length * 2, "the length was doubled, not halved");
+    BORDER(other_middle, (float)(((double)other_low + other_high) / 2),
+           "that is the middle of the other side's borders");
+    BORDER(from_other_low, other_low + length / 2,
+           "the middle was counted from the lower border of the other side");
 #define OTHER_LENGTH "half the length of the other side was added"
-BORDER(other_length, LOW_END + (OTHER_HIGH - OTHER_LOW) / 2, OTHER_LENGTH)
+    BORDER(other_length, low + (other_high - other_low) / 2, OTHER_LENGTH);
 #define MIXED_LENGTH "a length was computed wrongly: it is a maximum minus the minimum of that side"
-BORDER(length_from_other_low, LOW_END + (HIGH_END - OTHER_LOW) / 2, MIXED_LENGTH)
-BORDER(length_to_other_high, LOW_END + (OTHER_HIGH - LOW_END) / 2, MIXED_LENGTH)
+    BORDER(length_from_other_low, low + (high - other_low) / 2, MIXED_LENGTH);
+    BORDER(length_to_other_high, low + (other_high - low) / 2, MIXED_LENGTH);
 #define WHOLE_LENGTH "the length of a side was made a whole number"
-BORDER(whole_length, LOW_END + truncf(LENGTH) / 2, WHOLE_LENGTH)
-BORDER(whole_half, LOW_END + truncf(LENGTH / 2), WHOLE_LENGTH)
+    BORDER(whole_length, low + truncf(length) / 2, WHOLE_LENGTH);
+    BORDER(whole_half, low + truncf(length / 2), WHOLE_LENGTH);
 #define WHOLE_MIDDLE "the middle was made a whole number"
-BORDER(cut_to_whole, truncf(MIDDLE), WHOLE_MIDDLE)
-BORDER(rounded_down, floorf(MIDDLE), WHOLE_MIDDLE)
-EACH(border_moved, IS_LOWER(0, MIDDLE) && IS_UPPER(1, (LOW_END + MIDDLE) / 2),
-     "the second border was computed from the first after that had moved")
-ONLY(swapped, IS_LOWER(1, MIDDLE) && IS_UPPER(0, MIDDLE), "left and right are swapped")
-#define NO_LENGTH(half)                                                                            \
-    (OWN_SIDE == SIDE_X ? found[half].minX == found[half].maxX                                     \
-                        : found[half].minY == found[half].maxY)
-ONLY(both_moved, NO_LENGTH(0) || NO_LENGTH(1),
-     "both borders of a half are the same: of each half the split moves one")
-ONLY(one_right, IS_LOWER(0, MIDDLE) || IS_UPPER(1, MIDDLE),
-     "one half is right and the other is not: both have the border in the middle")
-
-#define OWN_BORDER (OWN_SIDE == SIDE_X ? found[0].maxX : found[0].maxY)
-ONLY(elsewhere, side != SIDE_NONE && IS_FOUND(OWN_BORDER),
-     "both halves have the same border, and it is not in the middle")
-
-static const Known *const known_of_middle[] = {BORDERS(half_the_length),
-                                               BORDERS(half_of_max),
-                                               BORDERS(behind_max),
-                                               BORDERS(before_min),
-                                               BORDERS(middle_added),
-                                               BORDERS(not_halved),
-                                               BORDERS(sum_not_halved),
-                                               BORDERS(doubled),
-                                               BORDERS(other_middle),
-                                               BORDERS(from_other_low),
-                                               BORDERS(other_length),
-                                               BORDERS(length_from_other_low),
-                                               BORDERS(length_to_other_high),
-                                               BORDERS(whole_length),
-                                               BORDERS(whole_half),
-                                               BORDERS(cut_to_whole),
-                                               BORDERS(rounded_down),
-                                               &border_moved,
-                                               &swapped,
-                                               &both_moved,
-                                               &one_right,
-                                               &elsewhere};
+    BORDER(cut_to_whole, truncf(middle), WHOLE_MIDDLE);
+    BORDER(rounded_down, floorf(middle), WHOLE_MIDDLE);
+    EACH(border_moved,
+         is_part(found[0], in, own, 0, middle) && is_part(found[1], in, own, 1, (low + middle) / 2),
+         "the second border was computed from the first after that had moved");
+    ONLY(swapped, is_part(found[1], in, own, 0, middle) && is_part(found[0], in, own, 1, middle),
+         "left and right are swapped");
+    ONLY(both_moved,
+         low_end(found[0], own) == high_end(found[0], own) ||
+             low_end(found[1], own) == high_end(found[1], own),
+         "both borders of a half are the same: of each half the split moves one");
+    ONLY(one_right, is_part(found[0], in, own, 0, middle) || is_part(found[1], in, own, 1, middle),
+         "one half is right and the other is not: both have the border in the middle");
+    ONLY(elsewhere, side != SIDE_NONE && IS_FOUND(border_found),
+         "both halves have the same border, and it is not in the middle");
+    return NO_MORE;
+}
 
 // Facts: with what is expected on the left, across the right side or across the student's.
 static char *describe_split(BBox2D box, const BBox2D found[2], BBox2D left)
@@ -321,7 +309,8 @@ static char *describe_middle(const void *job, int i, const void *answers)
 {
     GIVEN;
     BBox2D left = in;
-    *(OWN_SIDE == SIDE_X ? &left.maxX : &left.maxY) = MIDDLE;
+    const Side own = own_side(in, side);
+    *(own == SIDE_X ? &left.maxX : &left.maxY) = middle_of(in, own);
     return describe_split(in, found, left);
 }
 

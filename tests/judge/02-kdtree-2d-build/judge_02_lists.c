@@ -47,72 +47,27 @@ static int holds_centre(const Job02 *job, ListCall call, u32 id)
     return c.x >= box.minX && c.x < box.maxX && c.y >= box.minY && c.y < box.maxY;
 }
 
-// What a mistake returns, and writes into list[].
-typedef u32 MistakenList(const Job02 *job, ListCall in, u32 *list);
-
-static int is_list(const Job02 *job, ListCall call, const u32 *found, MistakenList *mistaken)
+// Was n returned, and are these ids written?
+static int is_list(const u32 *found, u32 n, const u32 ids[DISTRIBUTE_ROOM])
 {
-    u32 list[DISTRIBUTE_ROOM];
-    for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
-        list[j] = UNTOUCHED;
-    }
-    return found[0] == mistaken(job, call, list) &&
-           memcmp(found + 1, list, DISTRIBUTE_MAX_IDS * sizeof *list) == 0;
+    return found[0] == n && memcmp(found + 1, ids, DISTRIBUTE_MAX_IDS * sizeof *ids) == 0;
 }
 
-// For j from 0 on: is something written into list[place], what, and how is n counted up?
-#define LIST(name, n_asked, is_listed, place, written, counted, ...)                               \
-    static u32 name##_list(const Job02 *all, ListCall in, u32 *list)                               \
-    {                                                                                              \
-        u32 n = 0;                                                                                 \
-        (void)all;                                                                                 \
-        for (u32 j = 0; j < (n_asked); j++) {                                                      \
-            if (is_listed) {                                                                       \
-                list[place] = written;                                                             \
-                n = counted;                                                                       \
-            }                                                                                      \
+// For j from 0 on: is something written into list[place], what, and how is n counted up? Number j
+// of the node's ids is `id`.
+#define FILL(n_asked, is_listed, place, written, counted)                                          \
+    for (u32 j = 0; number == 0 && j < (n_asked); j++) {                                           \
+        const u32 id = in.ids[j];                                                                  \
+        const int is_own = is_kept(all, in, id);                                                   \
+        (void)is_own;                                                                              \
+        if (is_listed) {                                                                           \
+            list[place] = written;                                                                 \
+            n = counted;                                                                           \
         }                                                                                          \
-        return n;                                                                                  \
-    }                                                                                              \
-    EACH(name, is_list(all, in, found, name##_list), __VA_ARGS__)
-#define KEPT(id) is_kept(all, in, id)
-#define ID in.ids[j]
-#define FROM_BACK in.ids[in.n_ids - 1 - j]
-#define FROM_FIRST (in.ids[0] + j)
-#define UP_TO_LAST (in.n_ids > 0 ? in.ids[in.n_ids - 1] - in.ids[0] + 1 : 0)
-
-LIST(from_the_back, in.n_ids, KEPT(FROM_BACK), n, FROM_BACK, n + 1,
-     "the ids stand there from the last to the first, and must ascend")
-LIST(asks_position, in.n_ids, KEPT(j), n, ID, n + 1,
-     "the circle at the position was asked, and the id at that position is another",
-     MISTAKE_MISSING_IN_CELL)
-LIST(lists_position, in.n_ids, KEPT(ID), n, j, n + 1, "that is its position in ids[]")
-LIST(counted_on, in.n_ids, KEPT(FROM_FIRST), n, FROM_FIRST, n + 1,
-     "ids were counted on from the first: in ids[] are gaps", MISTAKE_MISSING_IN_CELL)
-LIST(all_between, UP_TO_LAST, KEPT(FROM_FIRST), n, FROM_FIRST, n + 1,
-     "circles were asked whose ids are not in ids[]")
-LIST(with_gaps, in.n_ids, KEPT(ID), j, ID, n + 1,
-     "ids stand at the position that they have in ids[]: the child's list has no gaps")
-LIST(by_centre, in.n_ids, holds_centre(all, in, ID), n, ID, n + 1,
-     "centres were asked for, and a circle may overlap a cell without its centre",
-     MISTAKE_MISSING_IN_CELL)
-LIST(count_of_8_bits, in.n_ids, KEPT(ID), n, ID, (n + 1) & 0xff,
-     "the number of ids is kept in 8 bits", MISTAKE_MISSING_IN_CELL)
-
-LIST(contrary, in.n_ids, !KEPT(ID), n, ID, n + 1,
-     "these are the circles that do not overlap the cell")
-LIST(only_positions, in.n_ids, KEPT(j), n, j, n + 1,
-     "positions were asked and listed: ids[] says which circles these are", MISTAKE_MISSING_IN_CELL)
-LIST(everyone, in.n_ids, 1, n, ID, n + 1,
-     "every circle of the node is listed, whether or not it overlaps the cell")
-LIST(without_first, in.n_ids - (in.n_ids > 0), KEPT(in.ids[j + 1]), n, in.ids[j + 1], n + 1,
-     "the first of ids[] is never asked: positions count from 0", MISTAKE_MISSING_IN_CELL)
-LIST(without_last, in.n_ids - (in.n_ids > 0), KEPT(ID), n, ID, n + 1,
-     "the last of ids[] is never asked", MISTAKE_MISSING_IN_CELL)
-LIST(from_position_1, in.n_ids, KEPT(ID), n + 1, ID, n + 1,
-     "the first id stands at position 1: positions count from 0")
-LIST(all_at_0, in.n_ids, KEPT(ID), 0, ID, 0,
-     "each id is written over the one before: the position has to move on")
+    }
+#define LIST(name, n_asked, is_listed, place, written, counted, ...)                               \
+    FILL(n_asked, is_listed, place, written, counted)                                              \
+    EACH(name, is_list(found, n, list), __VA_ARGS__)
 
 // How many ids come before the first that does not belong into the list.
 static u32 n_leading(const Job02 *job, ListCall call)
@@ -123,28 +78,6 @@ static u32 n_leading(const Job02 *job, ListCall call)
     }
     return n;
 }
-
-LIST(ends_at_other, n_leading(all, in), 1, n, ID, n + 1,
-     "the loop ends at the first circle that does not overlap: later ones may",
-     MISTAKE_MISSING_IN_CELL)
-
-static u32 gaps_counted_list(const Job02 *all, ListCall in, u32 *list)
-{
-    with_gaps_list(all, in, list);
-    return in.n_ids;
-}
-
-EACH(gaps_counted, is_list(all, in, found, gaps_counted_list),
-     "ids stand at the position that they have in ids[]: the child's list has no gaps")
-
-static u32 count_first_list(const Job02 *all, ListCall in, u32 *list)
-{
-    list[0] = from_position_1_list(all, in, list);
-    return list[0];
-}
-
-EACH(count_first, is_list(all, in, found, count_first_list),
-     "child_ids[] gets ids only: the count is returned")
 
 static int is_equal_circle(Circle a, Circle b)
 {
@@ -188,46 +121,97 @@ static Kept kept_of(const Job02 *job, ListCall call, const u32 *found)
     return kept;
 }
 
-#define N_FOUND found[0]
-#define KEPT_OF kept_of(all, in, found)
-#define IS_LOST(kept)                                                                              \
-    ((kept).n_in_place < (kept).n && !is_listed(all, found + 1, in.n_ids, in.ids[(kept).from], 0))
+static int is_lost(const Job02 *job, ListCall call, const u32 *found, Kept kept)
+{
+    return kept.n_in_place < kept.n &&
+           !is_listed(job, found + 1, call.n_ids, call.ids[kept.from], 0);
+}
 
 static int is_reordered(Kept kept, u32 n_found)
 {
     return kept.n > 1 && n_found == kept.n && kept.n_listed == kept.n;
 }
 
-LIST(none_written, in.n_ids, 0, n, ID, n, "no list ever gets an id")
-LIST(counted_only, in.n_ids, KEPT(ID), n, UNTOUCHED, n + 1,
-     "the ids are counted, and not written into child_ids")
-ONLY(empty_asked, in.n_ids == 0 && N_FOUND > 0,
-     "nothing is asked of an empty list, not even ids[0]")
-ONLY(end_marked, found[1 + in.n_ids] != UNTOUCHED,
-     "nothing comes behind the last id, not even an end mark")
-ONLY(reordered, is_reordered(KEPT_OF, N_FOUND),
-     "these are the right circles in another order: ids ascend, as in ids[]")
-ONLY(equal_missing, KEPT_OF.n_listed < KEPT_OF.n && KEPT_OF.n_equal == KEPT_OF.n,
-     "circles that are equal are all listed", MISTAKE_MISSING_IN_CELL)
-ONLY(miscounted, N_FOUND != KEPT_OF.n && KEPT_OF.n_in_place == KEPT_OF.n,
-     "the list is right and its number is not: return how many ids were written")
-ONLY(ends_early, N_FOUND > 0 && N_FOUND < KEPT_OF.n && KEPT_OF.n_in_place == N_FOUND,
-     "the list ends too early: there is room for more ids", MISTAKE_MISSING_IN_CELL)
-ONLY(lost, IS_LOST(KEPT_OF), NULL, MISTAKE_MISSING_IN_CELL)
+KNOWN_LIST(known_lists)
+{
+    GIVEN;
+    const u32 up_to_last = in.n_ids > 0 ? in.ids[in.n_ids - 1] - in.ids[0] + 1 : 0;
+    const Kept kept = kept_of(all, in, found);
+    u32 n = 0, list[DISTRIBUTE_ROOM];
+    for (int j = 0; j < DISTRIBUTE_ROOM; j++) {
+        list[j] = UNTOUCHED;
+    }
 
-static const Known *const known_lists[] = {
-    &from_the_back, &asks_position, &lists_position,  &counted_on,    &all_between,
-    &with_gaps,     &by_centre,     &count_of_8_bits, &contrary,      &only_positions,
-    &gaps_counted,  &everyone,      &without_first,   &without_last,  &from_position_1,
-    &all_at_0,      &none_written,  &counted_only,    &ends_at_other, &count_first,
-    &empty_asked,   &end_marked,    &reordered,       &equal_missing, &miscounted,
-    &ends_early,    &lost,
-};
+    LIST(from_the_back, in.n_ids, is_kept(all, in, in.ids[in.n_ids - 1 - j]), n,
+         in.ids[in.n_ids - 1 - j], n + 1,
+         "the ids stand there from the last to the first, and must ascend");
+    LIST(asks_position, in.n_ids, is_kept(all, in, j), n, id, n + 1,
+         "the circle at the position was asked, and the id at that position is another",
+         MISTAKE_MISSING_IN_CELL);
+    LIST(lists_position, in.n_ids, is_own, n, j, n + 1, "that is its position in ids[]");
+    LIST(counted_on, in.n_ids, is_kept(all, in, in.ids[0] + j), n, in.ids[0] + j, n + 1,
+         "ids were counted on from the first: in ids[] are gaps", MISTAKE_MISSING_IN_CELL);
+    LIST(all_between, up_to_last, is_kept(all, in, in.ids[0] + j), n, in.ids[0] + j, n + 1,
+         "circles were asked whose ids are not in ids[]");
+    LIST(with_gaps, in.n_ids, is_own, j, id, n + 1,
+         "ids stand at the position that they have in ids[]: the child's list has no gaps");
+    LIST(by_centre, in.n_ids, holds_centre(all, in, id), n, id, n + 1,
+         "centres were asked for, and a circle may overlap a cell without its centre",
+         MISTAKE_MISSING_IN_CELL);
+    LIST(count_of_8_bits, in.n_ids, is_own, n, id, (n + 1) & 0xff,
+         "the number of ids is kept in 8 bits", MISTAKE_MISSING_IN_CELL);
+
+    LIST(contrary, in.n_ids, !is_own, n, id, n + 1,
+         "these are the circles that do not overlap the cell");
+    LIST(only_positions, in.n_ids, is_kept(all, in, j), n, j, n + 1,
+         "positions were asked and listed: ids[] says which circles these are",
+         MISTAKE_MISSING_IN_CELL);
+    LIST(everyone, in.n_ids, 1, n, id, n + 1,
+         "every circle of the node is listed, whether or not it overlaps the cell");
+    LIST(without_first, in.n_ids - (in.n_ids > 0), is_kept(all, in, in.ids[j + 1]), n,
+         in.ids[j + 1], n + 1, "the first of ids[] is never asked: positions count from 0",
+         MISTAKE_MISSING_IN_CELL);
+    LIST(without_last, in.n_ids - (in.n_ids > 0), is_own, n, id, n + 1,
+         "the last of ids[] is never asked", MISTAKE_MISSING_IN_CELL);
+    LIST(from_position_1, in.n_ids, is_own, n + 1, id, n + 1,
+         "the first id stands at position 1: positions count from 0");
+    LIST(all_at_0, in.n_ids, is_own, 0, id, 0,
+         "each id is written over the one before: the position has to move on");
+
+    LIST(ends_at_other, n_leading(all, in), 1, n, id, n + 1,
+         "the loop ends at the first circle that does not overlap: later ones may",
+         MISTAKE_MISSING_IN_CELL);
+
+    FILL(in.n_ids, is_own, j, id, n + 1);
+    EACH(gaps_counted, is_list(found, in.n_ids, list),
+         "ids stand at the position that they have in ids[]: the child's list has no gaps");
+    FILL(in.n_ids, is_own, n + 1, id, n + 1);
+    list[0] = number == 0 ? n : list[0];
+    EACH(count_first, is_list(found, n, list), "child_ids[] gets ids only: the count is returned");
+
+    LIST(none_written, in.n_ids, 0, n, id, n, "no list ever gets an id");
+    LIST(counted_only, in.n_ids, is_own, n, UNTOUCHED, n + 1,
+         "the ids are counted, and not written into child_ids");
+    ONLY(empty_asked, in.n_ids == 0 && found[0] > 0,
+         "nothing is asked of an empty list, not even ids[0]");
+    ONLY(end_marked, found[1 + in.n_ids] != UNTOUCHED,
+         "nothing comes behind the last id, not even an end mark");
+    ONLY(reordered, is_reordered(kept, found[0]),
+         "these are the right circles in another order: ids ascend, as in ids[]");
+    ONLY(equal_missing, kept.n_listed < kept.n && kept.n_equal == kept.n,
+         "circles that are equal are all listed", MISTAKE_MISSING_IN_CELL);
+    ONLY(miscounted, found[0] != kept.n && kept.n_in_place == kept.n,
+         "the list is right and its number is not: return how many ids were written");
+    ONLY(ends_early, found[0] > 0 && found[0] < kept.n && kept.n_in_place == found[0],
+         "the list ends too early: there is room for more ids", MISTAKE_MISSING_IN_CELL);
+    ONLY(lost, is_lost(all, in, found, kept), NULL, MISTAKE_MISSING_IN_CELL);
+    return NO_MORE;
+}
 
 static char *describe_list(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const Kept kept = KEPT_OF;
+    const Kept kept = kept_of(all, in, found);
     const u32 at = kept.n_in_place;
     const Words node =
         words("node with %u circle%s from id %u on", in.n_ids, plural(in.n_ids), in.ids[0]);
@@ -236,13 +220,15 @@ static char *describe_list(const void *job, int i, const void *answers)
             "%s: child_ids[%u] %s, expected %u%s%s", node.text, at,
             found[1 + at] == UNTOUCHED ? "was not written" : words("is %u", found[1 + at]).text,
             in.ids[kept.from],
-            IS_LOST(kept) ? ", that circle overlaps the cell and is missing in its list" : "",
-            at > 0 && at == N_FOUND ? words(", the list ends after %u ids", at).text : "");
+            is_lost(all, in, found, kept)
+                ? ", that circle overlaps the cell and is missing in its list"
+                : "",
+            at > 0 && at == found[0] ? words(", the list ends after %u ids", at).text : "");
     }
-    return N_FOUND != at ? message_new("%s: returned %u, expected %u: the number of ids written",
-                                       node.text, N_FOUND, at)
-                         : message_new("child_ids[%u] was written, but there is room for %u",
-                                       in.n_ids, in.n_ids);
+    return found[0] != at ? message_new("%s: returned %u, expected %u: the number of ids written",
+                                        node.text, found[0], at)
+                          : message_new("child_ids[%u] was written, but there is room for %u",
+                                        in.n_ids, in.n_ids);
 }
 
 const Function distribute_02 = {"distribute",
@@ -273,16 +259,19 @@ static Words pack_words(const PackJob *in)
 
 RIGHT(is_right_offset, offset == in->n_before)
 
-EACH(at_first_id, offset == in->n_before + 1, "it points behind the count, at the first id")
-EACH(at_end, offset == in->n_before + 1 + in->n_ids,
-     "that is the end of the list: n_map had moved before")
+KNOWN_LIST(known_offsets)
+{
+    GIVEN;
 
-EACH(at_id, offset == in->id, "that is the node's id")
-EACH(unset, offset == 0, "circleMapOffset was not set, or always to 0")
-ONLY(no_list_no_offset, in->n_ids == 0, "an empty leaf has a list, too, and an offset")
+    EACH(at_first_id, offset == in->n_before + 1, "it points behind the count, at the first id");
+    EACH(at_end, offset == in->n_before + 1 + in->n_ids,
+         "that is the end of the list: n_map had moved before");
 
-static const Known *const known_offsets[] = {&no_list_no_offset, &at_first_id, &at_end, &at_id,
-                                             &unset};
+    EACH(at_id, offset == in->id, "that is the node's id");
+    EACH(unset, offset == 0, "circleMapOffset was not set, or always to 0");
+    ONLY(no_list_no_offset, in->n_ids == 0, "an empty leaf has a list, too, and an offset");
+    return NO_MORE;
+}
 
 static char *describe_offset(const void *job, int i, const void *answers)
 {
@@ -293,13 +282,19 @@ static char *describe_offset(const void *job, int i, const void *answers)
 
 RIGHT(is_right_count, count == in->n_ids)
 
-EACH(counts_itself, count == in->n_ids + 1, "the count counts the ids, and not itself")
-EACH(cut_count, count == (in->n_ids & 0xff), "that is what 8 bits hold of it")
-ONLY(no_list, count == UNTOUCHED && in->n_ids == 0, "an empty leaf has a list, too: a count of 0")
+KNOWN_LIST(known_counts)
+{
+    GIVEN;
 
-ONLY(no_count, in->n_ids == 0 || count == in->ids[0], "the first id stands where the count belongs")
+    EACH(counts_itself, count == in->n_ids + 1, "the count counts the ids, and not itself");
+    EACH(cut_count, count == (in->n_ids & 0xff), "that is what 8 bits hold of it");
+    ONLY(no_list, count == UNTOUCHED && in->n_ids == 0,
+         "an empty leaf has a list, too: a count of 0");
 
-static const Known *const known_counts[] = {&counts_itself, &cut_count, &no_list, &no_count};
+    ONLY(no_count, in->n_ids == 0 || count == in->ids[0],
+         "the first id stands where the count belongs");
+    return NO_MORE;
+}
 
 static char *describe_count(const void *job, int i, const void *answers)
 {
@@ -405,28 +400,29 @@ static int is_one_early(const PackJob *in, const u32 *list)
     return j >= in->n_ids;
 }
 
-#define END (in->n_before + 1 + in->n_ids)
+KNOWN_LIST(known_rest)
+{
+    GIVEN;
+    const NodeRel own = found->relations[in->id];
+    const u32 end = in->n_before + 1 + in->n_ids;
 
-#define OWN found->relations[in->id]
-
-ONLY(unmarked, found->flags[in->id] != LEAF, "pack_leaf marks the leaf")
-ONLY(unlisted, in->n_ids > 0 && list[0] == UNTOUCHED && found->n_map <= END,
-     "the ids of the leaf come behind the count, and are not there")
-ONLY(one_early, in->n_ids > 0 && is_one_early(in, list),
-     "the ids stand one position too early: ids[0] comes right behind the count")
-ONLY(count_left_out, found->n_map == END - 1, "the count is an entry, too")
-ONLY(map_by_one, found->n_map == in->n_before + 1, "n_map moves by the ids, too, not by 1 alone")
-ONLY(map_of_copy, found->n_map == in->n_before,
-     "n_map has to move, in the tree that was handed over and not in a copy")
-ONLY(one_entry_more, found->n_map == END && found->map[END] != UNTOUCHED,
-     "that is one entry more than count and ids: there may be no room for it")
-ONLY(leaf_changed, OWN.id != in->id || OWN.lChild != 0 || OWN.rChild != 0,
-     "of the leaf's NodeRel only circleMapOffset changes")
-ONLY(other_changed, is_other_changed(in, found), "that is another node, and stays as it is")
-
-static const Known *const known_rest[] = {
-    PACKED_KNOWN, &unmarked,    &one_early,      &unlisted,     &count_left_out,
-    &map_by_one,  &map_of_copy, &one_entry_more, &leaf_changed, &other_changed};
+    ONLY(unmarked, found->flags[in->id] != LEAF, "pack_leaf marks the leaf");
+    ONLY(one_early, in->n_ids > 0 && is_one_early(in, list),
+         "the ids stand one position too early: ids[0] comes right behind the count");
+    ONLY(unlisted, in->n_ids > 0 && list[0] == UNTOUCHED && found->n_map <= end,
+         "the ids of the leaf come behind the count, and are not there");
+    ONLY(count_left_out, found->n_map == end - 1, "the count is an entry, too");
+    ONLY(map_by_one, found->n_map == in->n_before + 1,
+         "n_map moves by the ids, too, not by 1 alone");
+    ONLY(map_of_copy, found->n_map == in->n_before,
+         "n_map has to move, in the tree that was handed over and not in a copy");
+    ONLY(one_entry_more, found->n_map == end && found->map[end] != UNTOUCHED,
+         "that is one entry more than count and ids: there may be no room for it");
+    ONLY(leaf_changed, own.id != in->id || own.lChild != 0 || own.rChild != 0,
+         "of the leaf's NodeRel only circleMapOffset changes");
+    ONLY(other_changed, is_other_changed(in, found), "that is another node, and stays as it is");
+    return NO_MORE;
+}
 
 const Function pack_count_02 = {"pack", N_PACKS, sizeof(PackAnswer),
                                 KNOWING(is_right_count, describe_count, known_counts),
@@ -435,5 +431,5 @@ const Function pack_offset_02 = {"pack", N_PACKS, sizeof(PackAnswer),
                                  KNOWING(is_right_offset, describe_offset, known_offsets),
                                  .counted = "leaves"};
 const Function pack_rest_02 = {"pack", N_PACKS, sizeof(PackAnswer),
-                               KNOWING(is_right_rest, describe_rest, known_rest),
+                               KNOWING(is_right_rest, describe_rest, known_rest, packed_known),
                                .counted = "leaves"};

@@ -23,9 +23,8 @@
 #define IS_FOUND(is_left)                                                                          \
     ((found == node.lChild || found == node.rChild) &&                                             \
      (!cell_holds(cell, in.x, in.y) || (found == node.lChild) == (is_left)))
-#define HELD(x, y) cell_holds(left, x, y)
 
-RIGHT(is_right_child, IS_FOUND(HELD(in.x, in.y)))
+RIGHT(is_right_child, IS_FOUND(cell_holds(left, in.x, in.y)))
 
 // With other numbers for the left child's borders.
 static BBox2D rounded(BBox2D box, float (*to)(float))
@@ -45,114 +44,87 @@ static float nearest(float value)
 #define WHOLE_BORDER "a cell's border was made a whole number: it may lie between two pixels"
 #define OTHER_AXIS "your answers are those of a comparison with a border of the other axis"
 #define ONE_AXIS "your answers are those of one axis alone: there are splits across x and across y"
-#define IN_X (in.x >= left.minX && in.x < left.maxX)
-#define IN_Y (in.y >= left.minY && in.y < left.maxY)
 
-#define IS_BELOW(max_x, max_y) (IN_MIN && in.x < (max_x) && in.y < (max_y))
 // Other numbers in one of the comparisons with maxX and maxY, or in that with minX or minY, too.
 #define COMPARED(name, x_, X, y_, Y)                                                               \
     ANSWERS(name,                                                                                  \
             in.x_ >= left.min##X && in.x_ < left.max##X && in.y_ >= left.min##Y &&                 \
                 in.y_ < left.max##Y,                                                               \
-            OTHER_AXIS)                                                                            \
-    ANSWERS(name##_below, IN_MIN &&in.x_ < left.max##X && in.y_ < left.max##Y, OTHER_AXIS)         \
-    ANSWERS(name##_above, in.x_ >= left.min##X && in.y_ >= left.min##Y && IN_MAX, OTHER_AXIS)
-#define COMPARISONS(name) &name, &name##_below, &name##_above
-#define IN_MIN (in.x >= left.minX && in.y >= left.minY)
-#define IN_MAX IS_BELOW(left.maxX, left.maxY)
+            OTHER_AXIS);                                                                           \
+    ANSWERS(name##_below, in_min &&in.x_ < left.max##X && in.y_ < left.max##Y, OTHER_AXIS);        \
+    ANSWERS(name##_above, in.x_ >= left.min##X && in.y_ >= left.min##Y && in_min && in_max,        \
+            OTHER_AXIS)
 
-ANSWERS(inner, HELD(in.x, in.y) && in.x != left.minX && in.y != left.minY, STRICT)
-ANSWERS(inner_x, HELD(in.x, in.y) && in.x != left.minX, STRICT)
-ANSWERS(inner_y, HELD(in.x, in.y) && in.y != left.minY, STRICT)
-ANSWERS(border, in.x >= left.minX && in.x <= left.maxX && in.y >= left.minY && in.y <= left.maxY,
-        "cells are half-open: a border belongs to the cell that starts there")
-ANSWERS(middle, HELD(in.x + 0.5, in.y + 0.5), SHIFTED)
-ANSWERS(corner, HELD(in.x - 0.5, in.y - 0.5), SHIFTED)
-ANSWERS(middle_x, HELD(in.x + 0.5, in.y), SHIFTED)
-ANSWERS(middle_y, HELD(in.x, in.y + 0.5), SHIFTED)
-ANSWERS(cut_borders, cell_holds(rounded(left, truncf), in.x, in.y), WHOLE_BORDER)
-ANSWERS(cut_max_x, IS_BELOW(truncf(left.maxX), left.maxY), WHOLE_BORDER)
-ANSWERS(cut_max_y, IS_BELOW(left.maxX, truncf(left.maxY)), WHOLE_BORDER)
-ANSWERS(cut_max, IS_BELOW(truncf(left.maxX), truncf(left.maxY)), WHOLE_BORDER)
-ANSWERS(rounded_borders, cell_holds(rounded(left, nearest), in.x, in.y), WHOLE_BORDER)
-ANSWERS(no_sign, left.minX >= 0 && left.minY >= 0 && HELD(in.x, in.y),
-        "your answers are those of numbers without a sign: a cell may begin at negative "
-        "coordinates")
+// How far the pixel is from a border of the left child, and what may be meant for an epsilon.
+#define EPSILON 0.125
+
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const int in_min = in.x >= left.minX && in.y >= left.minY;
+    const int in_max = in.x < left.maxX && in.y < left.maxY;
+    const int in_x = in.x >= left.minX && in.x < left.maxX;
+    const int in_y = in.y >= left.minY && in.y < left.maxY;
+    const double to_x = fmin(fabs((double)in.x - left.maxX), fabs((double)in.x - left.minX));
+    const double to_y = fmin(fabs((double)in.y - left.maxY), fabs((double)in.y - left.minY));
+
+    ANSWERS(inner, cell_holds(left, in.x, in.y) && in.x != left.minX && in.y != left.minY, STRICT);
+    ANSWERS(inner_x, cell_holds(left, in.x, in.y) && in.x != left.minX, STRICT);
+    ANSWERS(inner_y, cell_holds(left, in.x, in.y) && in.y != left.minY, STRICT);
+    ANSWERS(border,
+            in.x >= left.minX && in.x <= left.maxX && in.y >= left.minY && in.y <= left.maxY,
+            "cells are half-open: a border belongs to the cell that starts there");
+    ANSWERS(middle, cell_holds(left, in.x + 0.5, in.y + 0.5), SHIFTED);
+    ANSWERS(corner, cell_holds(left, in.x - 0.5, in.y - 0.5), SHIFTED);
+    ANSWERS(middle_x, cell_holds(left, in.x + 0.5, in.y), SHIFTED);
+    ANSWERS(middle_y, cell_holds(left, in.x, in.y + 0.5), SHIFTED);
+    ANSWERS(cut_borders, cell_holds(rounded(left, truncf), in.x, in.y), WHOLE_BORDER);
+    ANSWERS(cut_max_x, in_min && in.x < truncf(left.maxX) && in.y < left.maxY, WHOLE_BORDER);
+    ANSWERS(cut_max_y, in_min && in.x < left.maxX && in.y < truncf(left.maxY), WHOLE_BORDER);
+    ANSWERS(cut_max, in_min && in.x < truncf(left.maxX) && in.y < truncf(left.maxY), WHOLE_BORDER);
+    ANSWERS(rounded_borders, cell_holds(rounded(left, nearest), in.x, in.y), WHOLE_BORDER);
+    ANSWERS(no_sign, left.minX >= 0 && left.minY >= 0 && cell_holds(left, in.x, in.y),
+            "your answers are those of numbers without a sign: a cell may begin at negative "
+            "coordinates");
 #define IN_MIDDLE                                                                                  \
     "the border was put into the middle of the cell: the cells of its children say where it is"
-ANSWERS(by_middle,
-        cell.maxX - cell.minX >= cell.maxY - cell.minY ? in.x < ((double)cell.minX + cell.maxX) / 2
-                                                       : in.y < ((double)cell.minY + cell.maxY) / 2,
-        IN_MIDDLE)
+    ANSWERS(by_middle,
+            cell.maxX - cell.minX >= cell.maxY - cell.minY
+                ? in.x < ((double)cell.minX + cell.maxX) / 2
+                : in.y < ((double)cell.minY + cell.maxY) / 2,
+            IN_MIDDLE);
 #define TURNED                                                                                     \
     "your answers are those of a comparison the wrong way round, or with the wrong border: the "   \
     "left child's cell is from minX to maxX, and from minY to maxY"
-ANSWERS(x_alone, IN_X, ONE_AXIS)
-ANSWERS(y_alone, IN_Y, ONE_AXIS)
-COMPARED(y_to_x, x, X, y, X)
-COMPARED(x_to_y, x, Y, y, Y)
-COMPARED(x_for_y, x, X, x, Y)
-COMPARED(y_for_x, y, X, y, Y)
-COMPARED(swapped_axes, y, X, x, Y)
-ANSWERS(by_min, in.x < left.minX && in.y < left.minY, TURNED)
-// At maxX, or maxY, itself either answer may be meant.
-EACH(above_max_x, in.x == left.maxX || IS_FOUND(IN_Y && in.x > left.maxX), TURNED)
-EACH(above_max_y, in.y == left.maxY || IS_FOUND(IN_X && in.y > left.maxY), TURNED)
-ANSWERS(always_right, 0, TURNED)
-ANSWERS(contrary, !HELD(in.x, in.y), "left and right are swapped")
-ANSWERS(always_left, 1,
-        "the left child was chosen every time: its own cell has to hold the pixel, in both "
-        "directions")
+    ANSWERS(x_alone, in_x, ONE_AXIS);
+    ANSWERS(y_alone, in_y, ONE_AXIS);
+    COMPARED(y_to_x, x, X, y, X);
+    COMPARED(x_to_y, x, Y, y, Y);
+    COMPARED(x_for_y, x, X, x, Y);
+    COMPARED(y_for_x, y, X, y, Y);
+    COMPARED(swapped_axes, y, X, x, Y);
+    ANSWERS(by_min, in.x < left.minX && in.y < left.minY, TURNED);
+    // At maxX, or maxY, itself either answer may be meant.
+    EACH(above_max_x, in.x == left.maxX || IS_FOUND(in_y && in.x > left.maxX), TURNED);
+    EACH(above_max_y, in.y == left.maxY || IS_FOUND(in_x && in.y > left.maxY), TURNED);
+    ANSWERS(always_right, 0, TURNED);
+    ANSWERS(contrary, !cell_holds(left, in.x, in.y), "left and right are swapped");
+    ANSWERS(always_left, 1,
+            "the left child was chosen every time: its own cell has to hold the pixel, in both "
+            "directions");
 
-EACH(is_side, found <= 1, "0 and 1 are no ids of its children: return its lChild or its rChild")
+    EACH(is_side, found <= 1,
+         "0 and 1 are no ids of its children: return its lChild or its rChild");
 
-// How far the pixel is from a border of the left child, and what may be meant for an epsilon.
-#define TO_X fmin(fabs((double)in.x - left.maxX), fabs((double)in.x - left.minX))
-#define TO_Y fmin(fabs((double)in.y - left.maxY), fabs((double)in.y - left.minY))
-#define EPSILON 0.125
-
-ONLY(no_child, found != node.lChild && found != node.rChild,
-     "that is no child of the node, as its lChild and rChild have it")
-ONLY(on_border, TO_X == 0 || TO_Y == 0,
-     "pixels exactly on a border are wrong: it belongs to the child with the higher coordinates")
-ONLY(near_border, TO_X < EPSILON || TO_Y < EPSILON,
-     "your answers are those with an epsilon: none is needed")
-
-static const Known *const known[] = {
-    &inner,
-    &inner_x,
-    &inner_y,
-    &border,
-    &middle,
-    &corner,
-    &middle_x,
-    &middle_y,
-    &cut_borders,
-    &cut_max_x,
-    &cut_max_y,
-    &cut_max,
-    &rounded_borders,
-    &no_sign,
-    &by_middle,
-    &x_alone,
-    &y_alone,
-    COMPARISONS(y_to_x),
-    COMPARISONS(x_to_y),
-    COMPARISONS(x_for_y),
-    COMPARISONS(y_for_x),
-    COMPARISONS(swapped_axes),
-    &by_min,
-    &above_max_x,
-    &above_max_y,
-
-    &always_right,
-    &contrary,
-    &always_left,
-    &is_side,
-    &no_child,
-    &on_border,
-    &near_border,
-};
+    ONLY(no_child, found != node.lChild && found != node.rChild,
+         "that is no child of the node, as its lChild and rChild have it");
+    ONLY(on_border, to_x == 0 || to_y == 0,
+         "pixels exactly on a border are wrong: it belongs to the child with the higher "
+         "coordinates");
+    ONLY(near_border, to_x < EPSILON || to_y < EPSILON,
+         "your answers are those with an epsilon: none is needed");
+    return NO_MORE;
+}
 
 // A half-open cell.
 static Words cell_words(BBox2D box)
@@ -165,9 +137,9 @@ static char *describe(const void *job, int i, const void *answers)
     GIVEN;
     return message_new("node %u, pixel (%d, %d): your code goes on with node %u, expected %u (left "
                        "child %u is %s, right child %u is %s)",
-                       in.id, in.x, in.y, found, HELD(in.x, in.y) ? node.lChild : node.rChild,
-                       node.lChild, cell_words(left).text, node.rChild,
-                       cell_words(boxes[node.rChild]).text);
+                       in.id, in.x, in.y, found,
+                       cell_holds(left, in.x, in.y) ? node.lChild : node.rChild, node.lChild,
+                       cell_words(left).text, node.rChild, cell_words(boxes[node.rChild]).text);
 }
 
 static const Function children = {"children", N_CHILDREN, sizeof(u32),
@@ -262,12 +234,7 @@ static const JudgeCheck checks[] = {
      .all = judge_leaf_works},
 };
 
-static const JobPart parts[] = {PART("children", "getContainingChild", Job03, children)};
-
-static const ProbeStep steps[] = {
-    ON_DEVICE("children", "getContainingChild", ChildJob),
-    ON_SCENES("picture", "in implicit2DRenderer_KD", NULL),
-};
+static const JobPart parts[] = {INPUTS("children", "getContainingChild", Job03, children)};
 
 const Judge judge_03 = {
     .lab = "03-kdtree-2d-render",
@@ -279,8 +246,7 @@ const Judge judge_03 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene_kind, Job03, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"picture", "in implicit2DRenderer_KD", NULL}},
     .write_scene = job_03_write_scene,
     .write_alone = write_alone_03,
     .adopts = 1,

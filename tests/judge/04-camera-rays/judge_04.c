@@ -33,11 +33,6 @@ static const JudgeCheck checks[] = {
      .alone_scene = is_drawn_04, .alone_cause = drawn_cause_04},
 };
 
-static const JobPart parts[] = {
-    PART("views", "camera_axes", Job04, views),
-    PART("pixels", "pixel_on_display primary_ray", Job04, pixels),
-};
-
 static void describe_view(const void *input, char *words, size_t n_bytes)
 {
     const ViewJob *in = input;
@@ -47,10 +42,9 @@ static void describe_view(const void *input, char *words, size_t n_bytes)
              (double)in->up.z);
 }
 
-static const ProbeStep steps[] = {
-    ON_HOST("views", "camera_axes", ViewJob, describe_view),
-    {"pixels", "in pixel_on_display or primary_ray", NULL, sizeof(PixelJob), NULL, NULL},
-    ON_SCENES("picture", "in draw_directions", NULL),
+static const JobPart parts[] = {
+    INPUTS("views", "camera_axes", Job04, views, .describe = describe_view),
+    INPUTS("pixels", "pixel_on_display primary_ray", Job04, pixels),
 };
 
 const Judge judge_04 = {
@@ -62,8 +56,7 @@ const Judge judge_04 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(picture_kind, Job04, directions),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"picture", "in draw_directions", NULL}},
     .write_scene = job_04_write_scene,
     .write_alone = write_alone_04,
 };

@@ -60,7 +60,7 @@ static int is_across(const AxesCall *call, Vec3 a, Vec3 b)
     const AxesCall call = axes_call(job, i, answers);                                              \
     const ViewJob *in = call.view;                                                                 \
     const Axes *found = &call.found;                                                               \
-    (void)in
+    (void)in, (void)found
 
 // As it joins what was found; NULL where all is right.
 static const char *not_orthonormal(const AxesCall *call)
@@ -86,12 +86,20 @@ static int is_forward(const AxesCall *call)
                                     call->error * length);
 }
 
-#define IS(axis, number) is_near_04(found->axis, call.expected[number], call.error)
-#define IS_OPPOSITE(axis, number) is_opposite_04(found->axis, call.expected[number], call.error)
+// Is this axis right, number 0 to 2; or does it point the other way?
+static int is_expected(const AxesCall *call, Vec3 axis, int number)
+{
+    return is_near_04(axis, call->expected[number], call->error);
+}
+
+static int is_opposite(const AxesCall *call, Vec3 axis, int number)
+{
+    return is_opposite_04(axis, call->expected[number], call->error);
+}
 
 RIGHT(are_orthonormal, not_orthonormal(&call) == NULL)
 RIGHT(goes_forward, is_forward(&call))
-RIGHT(are_upright, IS(right, 0) && IS(up, 1))
+RIGHT(are_upright, is_expected(&call, found->right, 0) && is_expected(&call, found->up, 1))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
@@ -101,59 +109,20 @@ static int is_axis(Vec3 found, OracleVector axis, double error)
     return is_near_04(found, axis, error * fmax(1, vector_length(axis)));
 }
 
-// Of every view that was rolled.
-#define ARE(right_axis, up_axis, forward_axis, times)                                              \
-    (i >= FIRST_LENGTH || (is_axis(found->right, right_axis, (times) * call.error) &&              \
-                           is_axis(found->up, up_axis, (times) * call.error) &&                    \
-                           is_axis(found->forward, forward_axis, call.error)))
-#define CROSS vector_cross
-#define UNIT vector_unit
-#define AT vector_of(in->at)
-#define WAY vector_minus(AT, vector_of(in->from))
-#define FORWARD UNIT(WAY)
-#define VIEW_UP vector_of(in->up)
-#define PRODUCT CROSS(FORWARD, VIEW_UP)
-#define UNIT_PRODUCT CROSS(FORWARD, UNIT(VIEW_UP))
-#define TO_AT UNIT(CROSS(UNIT(AT), VIEW_UP))
-#define TO_Z UNIT(CROSS(FORWARD, ((OracleVector){0, 0, 1})))
+// Are these the axes of every view that was rolled? Those across the view may be off by more.
+static int are_axes(const AxesCall *call, OracleVector right, OracleVector up, OracleVector forward,
+                    double times)
+{
+    return is_axis(call->found.right, right, times * call->error) &&
+           is_axis(call->found.up, up, times * call->error) &&
+           is_axis(call->found.forward, forward, call->error);
+}
 
-EACH(at_for_way, ARE(TO_AT, CROSS(TO_AT, UNIT(AT)), UNIT(AT), 1),
-     "forward is the way to `at` from the origin, not from the eye")
-#define SUM UNIT(vector_plus(AT, vector_of(in->from)))
-#define TO_SUM UNIT(CROSS(SUM, VIEW_UP))
-EACH(sum_for_way, ARE(TO_SUM, CROSS(TO_SUM, SUM), SUM, 8), "forward is `at` minus `from`, not plus")
-// A cross product with z loses digits where the view is nearly along it.
-EACH(z_for_up, ARE(TO_Z, CROSS(TO_Z, FORWARD), FORWARD, 64),
-     "view.up is not asked: z was taken for it")
-#define TO_Y UNIT(CROSS(FORWARD, ((OracleVector){0, 1, 0})))
-EACH(y_for_up, ARE(TO_Y, CROSS(TO_Y, FORWARD), FORWARD, 64),
-     "view.up is not asked: y was taken for it")
-EACH(up_from_view_up, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), VIEW_UP), FORWARD, 1),
-     "up was computed from right and view.up: it comes from right and forward")
-EACH(unit_vectors, ARE(UNIT_PRODUCT, CROSS(UNIT_PRODUCT, FORWARD), FORWARD, 1),
-     "of two unit vectors that are not at right angles the cross product is shorter than 1: right "
-     "is to be made a unit vector")
-EACH(long_right, ARE(PRODUCT, CROSS(PRODUCT, FORWARD), FORWARD, 1),
-     "right is not made a unit vector, and up comes from it")
-EACH(right_alone_long, ARE(PRODUCT, UNIT(CROSS(PRODUCT, FORWARD)), FORWARD, 1),
-     "right is not made a unit vector")
-EACH(right_late, ARE(UNIT(PRODUCT), CROSS(PRODUCT, FORWARD), FORWARD, 1),
-     "right was made a unit vector only after up had come from it")
+#define ARE(name, right, up, forward, times, ...)                                                  \
+    EACH(name, i >= FIRST_LENGTH || are_axes(&call, right, up, forward, times), __VA_ARGS__)
+
 // Forward is not made a unit vector: what comes from it is as long, or is made a unit vector.
 #define LONG_FORWARD "forward is not made a unit vector"
-#define LONG_PRODUCT CROSS(WAY, VIEW_UP)
-EACH(forward_long, ARE(UNIT(PRODUCT), CROSS(UNIT(PRODUCT), WAY), WAY, 1), LONG_FORWARD)
-EACH(forward_alone_long, ARE(UNIT(PRODUCT), UNIT(CROSS(PRODUCT, FORWARD)), WAY, 1), LONG_FORWARD)
-EACH(none_unit, ARE(LONG_PRODUCT, CROSS(LONG_PRODUCT, WAY), WAY, 1),
-     "none of the three is made a unit vector")
-EACH(up_as_given, ARE(UNIT(PRODUCT), VIEW_UP, FORWARD, 1),
-     "up is view.up, which need be neither a unit vector nor at right angles to forward")
-EACH(up_made_unit, ARE(UNIT(PRODUCT), UNIT(VIEW_UP), FORWARD, 1),
-     "up is view.up, which need not be at right angles to forward")
-EACH(up_from_way,
-     ARE(UNIT(PRODUCT),
-         UNIT(vector_minus(VIEW_UP, vector_scaled(vector_dot(VIEW_UP, WAY), FORWARD))), FORWARD, 1),
-     "up lost its part along a forward that is not yet a unit vector")
 
 // Is an axis zero, infinite or no number?
 static int has_left_range(Axes axes)
@@ -173,26 +142,85 @@ static int some_have_left_range(const Axes *answers)
     return have_left;
 }
 
-ONLY(steep, i >= FIRST_STEEP, "other views are right, and any angle to up counts, however small")
-ONLY(out_of_range, i >= FIRST_LENGTH && some_have_left_range(answers),
-     "views of usual length are right, but squares and products of numbers as large or small as "
-     "these leave float's range")
-ONLY(of_length, i >= FIRST_LENGTH, "views of usual length are right, and any length counts")
-ONLY(backwards, IS_OPPOSITE(forward, 2), "forward points backwards")
-ONLY(right_of_backwards, IS_OPPOSITE(forward, 2) && IS_OPPOSITE(right, 0),
-     "right comes from forward, which points backwards")
-ONLY(right_to_left, IS_OPPOSITE(right, 0),
-     "right points to the left: mind the order of the cross product")
-ONLY(up_is_down, IS_OPPOSITE(up, 1), "up points down: mind the order of the cross product")
+KNOWN_LIST(known_of_all)
+{
+    GIVEN;
+    const OracleVector way_to = vector_minus(vector_of(in->at), vector_of(in->from));
+    const OracleVector at = vector_unit(vector_of(in->at));
+    const OracleVector view_up = vector_of(in->up);
+    const OracleVector sum = vector_unit(vector_plus(vector_of(in->at), vector_of(in->from)));
+    const OracleVector forward = vector_unit(way_to);
+    const OracleVector product = vector_cross(forward, view_up), right = vector_unit(product);
+    const OracleVector of_units = vector_cross(forward, vector_unit(view_up));
+    const OracleVector of_way = vector_cross(way_to, view_up);
+    const OracleVector to_at = vector_unit(vector_cross(at, view_up));
+    const OracleVector to_sum = vector_unit(vector_cross(sum, view_up));
+    const OracleVector to_z = vector_unit(vector_cross(forward, (OracleVector){0, 0, 1}));
+    const OracleVector to_y = vector_unit(vector_cross(forward, (OracleVector){0, 1, 0}));
 
-#define KNOWN_OF_ALL                                                                               \
-    &at_for_way, &sum_for_way, &z_for_up, &y_for_up, &up_from_view_up, &unit_vectors, &long_right, \
-        &right_alone_long, &right_late, &forward_long, &forward_alone_long, &none_unit,            \
-        &up_as_given, &up_made_unit, &up_from_way, &steep, &out_of_range, &of_length
-static const Known *const known_of_lengths[] = {KNOWN_OF_ALL};
-static const Known *const known_of_forward[] = {KNOWN_OF_ALL, &backwards};
-static const Known *const known_of_up[] = {KNOWN_OF_ALL, &right_of_backwards, &right_to_left,
-                                           &up_is_down};
+    ARE(at_for_way, to_at, vector_cross(to_at, at), at, 1,
+        "forward is the way to `at` from the origin, not from the eye");
+    ARE(sum_for_way, to_sum, vector_cross(to_sum, sum), sum, 8,
+        "forward is `at` minus `from`, not plus");
+    // A cross product with z loses digits where the view is nearly along it.
+    ARE(z_for_up, to_z, vector_cross(to_z, forward), forward, 64,
+        "view.up is not asked: z was taken for it");
+    ARE(y_for_up, to_y, vector_cross(to_y, forward), forward, 64,
+        "view.up is not asked: y was taken for it");
+    ARE(up_from_view_up, right, vector_cross(right, view_up), forward, 1,
+        "up was computed from right and view.up: it comes from right and forward");
+    ARE(unit_vectors, of_units, vector_cross(of_units, forward), forward, 1,
+        "of two unit vectors that are not at right angles the cross product is shorter than 1: "
+        "right is to be made a unit vector");
+    ARE(long_right, product, vector_cross(product, forward), forward, 1,
+        "right is not made a unit vector, and up comes from it");
+    ARE(right_alone_long, product, vector_unit(vector_cross(product, forward)), forward, 1,
+        "right is not made a unit vector");
+    ARE(right_late, right, vector_cross(product, forward), forward, 1,
+        "right was made a unit vector only after up had come from it");
+    ARE(forward_long, right, vector_cross(right, way_to), way_to, 1, LONG_FORWARD);
+    ARE(forward_alone_long, right, vector_unit(vector_cross(product, forward)), way_to, 1,
+        LONG_FORWARD);
+    ARE(none_unit, of_way, vector_cross(of_way, way_to), way_to, 1,
+        "none of the three is made a unit vector");
+    ARE(up_as_given, right, view_up, forward, 1,
+        "up is view.up, which need be neither a unit vector nor at right angles to forward");
+    ARE(up_made_unit, right, vector_unit(view_up), forward, 1,
+        "up is view.up, which need not be at right angles to forward");
+    ARE(up_from_way, right,
+        vector_unit(vector_minus(view_up, vector_scaled(vector_dot(view_up, way_to), forward))),
+        forward, 1, "up lost its part along a forward that is not yet a unit vector");
+
+    ONLY(steep, i >= FIRST_STEEP,
+         "other views are right, and any angle to up counts, however small");
+    ONLY(out_of_range, i >= FIRST_LENGTH && some_have_left_range(answers),
+         "views of usual length are right, but squares and products of numbers as large or small "
+         "as these leave float's range");
+    ONLY(of_length, i >= FIRST_LENGTH, "views of usual length are right, and any length counts");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_forward)
+{
+    GIVEN;
+
+    ONLY(backwards, is_opposite(&call, found->forward, 2), "forward points backwards");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_up)
+{
+    GIVEN;
+
+    ONLY(right_of_backwards,
+         is_opposite(&call, found->forward, 2) && is_opposite(&call, found->right, 0),
+         "right comes from forward, which points backwards");
+    ONLY(right_to_left, is_opposite(&call, found->right, 0),
+         "right points to the left: mind the order of the cross product");
+    ONLY(up_is_down, is_opposite(&call, found->up, 1),
+         "up points down: mind the order of the cross product");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -221,15 +249,17 @@ static char *describe_lengths(const void *job, int i, const void *answers)
 static char *describe_forward(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return describe(&call,
-                    IS_OPPOSITE(forward, 2) ? "" : ": forward does not go from `from` to `at`");
+    return describe(&call, is_opposite(&call, found->forward, 2)
+                               ? ""
+                               : ": forward does not go from `from` to `at`");
 }
 
 static char *describe_up(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return describe(&call, IS_OPPOSITE(right, 0) || IS_OPPOSITE(up, 1) ? ""
-                           : IS(right, 0)
+    return describe(&call, is_opposite(&call, found->right, 0) || is_opposite(&call, found->up, 1)
+                               ? ""
+                           : is_expected(&call, found->right, 0)
                                ? ": up is not what is left of view.up at right angles to forward"
                                : ": right is not forward x up");
 }
@@ -237,18 +267,19 @@ static char *describe_up(const void *job, int i, const void *answers)
 const Function axes_orthonormal_04 = {"axes",
                                       N_VIEWS,
                                       sizeof(Axes),
-                                      KNOWING(are_orthonormal, describe_lengths, known_of_lengths),
+                                      KNOWING(are_orthonormal, describe_lengths, known_of_all),
                                       .counted = "views",
                                       .knows_constant = 1};
-const Function axes_forward_04 = {"axes",
-                                  N_VIEWS,
-                                  sizeof(Axes),
-                                  KNOWING(goes_forward, describe_forward, known_of_forward),
-                                  .counted = "views",
-                                  .knows_constant = 1};
+const Function axes_forward_04 = {
+    "axes",
+    N_VIEWS,
+    sizeof(Axes),
+    KNOWING(goes_forward, describe_forward, known_of_all, known_of_forward),
+    .counted = "views",
+    .knows_constant = 1};
 const Function axes_up_04 = {"axes",
                              N_VIEWS,
                              sizeof(Axes),
-                             KNOWING(are_upright, describe_up, known_of_up),
+                             KNOWING(are_upright, describe_up, known_of_all, known_of_up),
                              .counted = "views",
                              .knows_constant = 1};

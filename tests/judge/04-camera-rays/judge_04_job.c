@@ -51,17 +51,13 @@ static ViewJob looking_back(ViewJob view)
     return view;
 }
 
-static Vec3 to_vec3(OracleVector v)
-{
-    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
-}
-
 static Camera camera_of(ViewJob job, float fov)
 {
     const View view = {.from = job.from, .at = job.at, .up = job.up};
     OracleVector axes[3];
     oracle3d_axes(&view, axes);
-    return (Camera){job.from, to_vec3(axes[0]), to_vec3(axes[1]), to_vec3(axes[2]), fov};
+    return (Camera){job.from, vector_rounded(axes[0]), vector_rounded(axes[1]),
+                    vector_rounded(axes[2]), fov};
 }
 
 static PixelJob roll_pixel(Random *random, int i)

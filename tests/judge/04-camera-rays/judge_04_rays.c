@@ -81,10 +81,6 @@ static OracleVector with_unit_sides(OracleVector p)
     return p;
 }
 
-#define CAMERA (&in->camera)
-#define DISPLAY display_of(job, in)
-#define IS_MIDDLE (2 * in->x + 1 == in->width && 2 * in->y + 1 == in->height)
-
 // The direction that a right ray has.
 static OracleRay expected_ray(const Job *job, const PixelJob *in)
 {
@@ -108,98 +104,103 @@ static int is_turned(const Job *job, const PixelJob *in, Vec3 found)
 RIGHT(is_right_direction, is_turned(job, in, found))
 RIGHT(is_unit, fabs(vec3_length(found) - 1) <= DISPLAY_ERROR_04)
 
-// The point on the display of another pixel or picture.
-static PixelJob other_pixel(const PixelJob *in, i32 x, i32 y, i32 width, i32 height)
+// The direction of another pixel or picture.
+static OracleVector of_other(const Job *job, const PixelJob *in, i32 x, i32 y, i32 width,
+                             i32 height)
 {
     PixelJob other = *in;
     other.x = x, other.y = y, other.width = width, other.height = height;
-    return other;
+    return turned_by(&in->camera, display_of(job, &other));
 }
 
-#define OF_OTHER(x, y, width, height)                                                              \
-    turned_by(CAMERA, display_of(job, (PixelJob[]){other_pixel(in, x, y, width, height)}))
-
-ANSWERS(turned_round, turned_back(CAMERA, DISPLAY),
-        "the view transform is turned round: x times right plus y times up plus z times forward")
-ANSWERS(backwards, vector_scaled(-1, turned_by(CAMERA, DISPLAY)), "it points backwards")
-ANSWERS(unturned, DISPLAY, "it is still in the camera's axes: they are to turn it to the scene's")
-ANSWERS(with_the_eye, vector_plus(vector_of(CAMERA->eye), turned_by(CAMERA, DISPLAY)),
-        "the eye was added: that makes a point, and a direction has no place")
-ANSWERS(with_fov_1, turned_by(CAMERA, display(in, 1, in->width, in->height)),
-        "that is the direction of a fov of 1, not the camera's")
-ANSWERS(up_is_down, turned_by(CAMERA, (OracleVector){DISPLAY.x, -DISPLAY.y, 1}),
-        "up and down are swapped")
-EACH(no_forward, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, (OracleVector){DISPLAY.x, DISPLAY.y, 0})),
-     "forward has no part in it: x times right plus y times up plus z times forward")
-ANSWERS(right_and_up_swapped, turned_by(CAMERA, (OracleVector){DISPLAY.y, DISPLAY.x, DISPLAY.z}),
-        "right and up are swapped: x goes along right, y along up")
-ANSWERS(right_is_left, turned_by(CAMERA, (OracleVector){-DISPLAY.x, DISPLAY.y, DISPLAY.z}),
-        "right and left are swapped")
-#define PARTS(name, x, y, z, ...)                                                                  \
-    ANSWERS(name, turned_by(CAMERA, (OracleVector){x, y, z}), __VA_ARGS__)
-PARTS(without_right, 0, DISPLAY.y, DISPLAY.z, "right has no part in it: x times right is missing")
-PARTS(without_up, DISPLAY.x, 0, DISPLAY.z, "up has no part in it: y times up is missing")
-PARTS(x_twice, DISPLAY.x, DISPLAY.x, DISPLAY.z, "up was multiplied by x: y goes along up")
-PARTS(y_twice, DISPLAY.y, DISPLAY.y, DISPLAY.z, "right was multiplied by y: x goes along right")
-PARTS(forward_twice, DISPLAY.x, DISPLAY.y, 2 * DISPLAY.z, "forward was added twice")
-#define ALONG(name, x_axis, y_axis, z_axis)                                                        \
-    ANSWERS(                                                                                       \
-        name,                                                                                      \
-        turned_by(                                                                                 \
-            &(Camera){.right = CAMERA->x_axis, .up = CAMERA->y_axis, .forward = CAMERA->z_axis},   \
-            DISPLAY),                                                                              \
-        "one of the camera's axes is there twice, and another is missing")
-ALONG(right_for_up, right, right, forward)
-ALONG(up_for_right, up, up, forward)
-ALONG(up_for_forward, right, up, up)
-ALONG(right_for_forward, right, up, right)
-ALONG(forward_for_up, right, forward, forward)
-ALONG(forward_for_right, forward, up, forward)
-ANSWERS(without_the_eye, vector_minus(turned_by(CAMERA, DISPLAY), vector_of(CAMERA->eye)),
-        "the eye was taken off: that makes a point, and a direction has no place")
-
-ANSWERS(with_swapped_size, OF_OTHER(in->x, in->y, in->height, in->width),
-        "width and height are swapped")
-ANSWERS(swapped_pixel, OF_OTHER(in->y, in->x, in->width, in->height),
-        "x and y are swapped in the call of pixel_on_display")
-#define ONE_SIZE "width or height is there twice in the call of pixel_on_display"
-ANSWERS(width_twice, OF_OTHER(in->x, in->y, in->width, in->width), ONE_SIZE)
-ANSWERS(height_twice, OF_OTHER(in->x, in->y, in->height, in->height), ONE_SIZE)
-#define KNOWN_SUMS                                                                                 \
-    &without_right, &without_up, &x_twice, &y_twice, &forward_twice, &right_for_up, &up_for_right, \
-        &up_for_forward, &right_for_forward, &forward_for_up, &forward_for_right,                  \
-        &without_the_eye, &swapped_pixel, &width_twice, &height_twice
-ANSWERS(looks_back, turned_by(CAMERA, (OracleVector){DISPLAY.x, DISPLAY.y, -DISPLAY.z}),
-        "forward is taken off: the display is before the eye")
+// Along other axes than the camera's.
+static OracleVector along(OracleVector p, Vec3 right, Vec3 up, Vec3 forward)
+{
+    return turned_by(&(Camera){.right = right, .up = up, .forward = forward}, p);
+}
 
 static double sign_of(double number)
 {
     return number > 0 ? 1 : -1;
 }
 
-// Of 0 no unit vector comes.
-EACH(each_unit,
-     DISPLAY.x == 0 || DISPLAY.y == 0 ||
-         IS_FOUND(turned_by(CAMERA, (OracleVector){sign_of(DISPLAY.x), sign_of(DISPLAY.y), 1})),
-     "each part was made a unit vector by itself: the sum of all three is to be made one")
-// In the very middle there is no such part.
-EACH(unit_sides, IS_MIDDLE || IS_FOUND(turned_by(CAMERA, with_unit_sides(DISPLAY))),
-     "the part along the display was made a unit vector before forward was added")
-// A sum with the eye rounds to the eye's digits.
-ONLY(
-    far_eye,
-    i >= FIRST_FAR_EYE &&
-        goes_along(found, expected_ray(job, in).direction, 4 * 0x1p-24 * vec3_length(CAMERA->eye)),
-    "from a near eye it is right, from a far eye its digits are lost: the eye, a large number, has "
-    "no part in the direction")
-ONLY(is_zero, vec3_length(found) == 0, "it is zero")
-ONLY(not_unit, 1, "it must be a unit vector, so that t is a distance: normalize()")
+KNOWN_LIST(known_of_direction)
+{
+    GIVEN;
+    const Camera *camera = &in->camera;
+    const OracleVector p = display_of(job, in);
+    const int is_middle = 2 * in->x + 1 == in->width && 2 * in->y + 1 == in->height;
 
-static const Known *const known_of_direction[] = {
-    &turned_round, &backwards,     &unturned,   &with_the_eye, &with_fov_1, &with_swapped_size,
-    &up_is_down,   &unit_sides,    &far_eye,    &is_zero,      &no_forward, &right_and_up_swapped,
-    KNOWN_SUMS,    &right_is_left, &looks_back, &each_unit};
-static const Known *const known_of_length[] = {&not_unit};
+    ANSWERS(
+        turned_round, turned_back(camera, p),
+        "the view transform is turned round: x times right plus y times up plus z times forward");
+    ANSWERS(backwards, vector_scaled(-1, turned_by(camera, p)), "it points backwards");
+    ANSWERS(unturned, p, "it is still in the camera's axes: they are to turn it to the scene's");
+    ANSWERS(with_the_eye, vector_plus(vector_of(camera->eye), turned_by(camera, p)),
+            "the eye was added: that makes a point, and a direction has no place");
+    ANSWERS(with_fov_1, turned_by(camera, display(in, 1, in->width, in->height)),
+            "that is the direction of a fov of 1, not the camera's");
+    ANSWERS(up_is_down, turned_by(camera, (OracleVector){p.x, -p.y, 1}), "up and down are swapped");
+    EACH(no_forward, is_middle || IS_FOUND(turned_by(camera, (OracleVector){p.x, p.y, 0})),
+         "forward has no part in it: x times right plus y times up plus z times forward");
+    ANSWERS(right_and_up_swapped, turned_by(camera, (OracleVector){p.y, p.x, p.z}),
+            "right and up are swapped: x goes along right, y along up");
+    ANSWERS(right_is_left, turned_by(camera, (OracleVector){-p.x, p.y, p.z}),
+            "right and left are swapped");
+    ANSWERS(without_right, turned_by(camera, (OracleVector){0, p.y, p.z}),
+            "right has no part in it: x times right is missing");
+    ANSWERS(without_up, turned_by(camera, (OracleVector){p.x, 0, p.z}),
+            "up has no part in it: y times up is missing");
+    ANSWERS(x_twice, turned_by(camera, (OracleVector){p.x, p.x, p.z}),
+            "up was multiplied by x: y goes along up");
+    ANSWERS(y_twice, turned_by(camera, (OracleVector){p.y, p.y, p.z}),
+            "right was multiplied by y: x goes along right");
+    ANSWERS(forward_twice, turned_by(camera, (OracleVector){p.x, p.y, 2 * p.z}),
+            "forward was added twice");
+#define AXIS_TWICE "one of the camera's axes is there twice, and another is missing"
+    ANSWERS(right_for_up, along(p, camera->right, camera->right, camera->forward), AXIS_TWICE);
+    ANSWERS(up_for_right, along(p, camera->up, camera->up, camera->forward), AXIS_TWICE);
+    ANSWERS(up_for_forward, along(p, camera->right, camera->up, camera->up), AXIS_TWICE);
+    ANSWERS(right_for_forward, along(p, camera->right, camera->up, camera->right), AXIS_TWICE);
+    ANSWERS(forward_for_up, along(p, camera->right, camera->forward, camera->forward), AXIS_TWICE);
+    ANSWERS(forward_for_right, along(p, camera->forward, camera->up, camera->forward), AXIS_TWICE);
+    ANSWERS(without_the_eye, vector_minus(turned_by(camera, p), vector_of(camera->eye)),
+            "the eye was taken off: that makes a point, and a direction has no place");
+
+    ANSWERS(with_swapped_size, of_other(job, in, in->x, in->y, in->height, in->width),
+            "width and height are swapped");
+    ANSWERS(swapped_pixel, of_other(job, in, in->y, in->x, in->width, in->height),
+            "x and y are swapped in the call of pixel_on_display");
+#define ONE_SIZE "width or height is there twice in the call of pixel_on_display"
+    ANSWERS(width_twice, of_other(job, in, in->x, in->y, in->width, in->width), ONE_SIZE);
+    ANSWERS(height_twice, of_other(job, in, in->x, in->y, in->height, in->height), ONE_SIZE);
+    ANSWERS(looks_back, turned_by(camera, (OracleVector){p.x, p.y, -p.z}),
+            "forward is taken off: the display is before the eye");
+
+    // Of 0 no unit vector comes.
+    EACH(each_unit,
+         p.x == 0 || p.y == 0 ||
+             IS_FOUND(turned_by(camera, (OracleVector){sign_of(p.x), sign_of(p.y), 1})),
+         "each part was made a unit vector by itself: the sum of all three is to be made one");
+    // In the very middle there is no such part.
+    EACH(unit_sides, is_middle || IS_FOUND(turned_by(camera, with_unit_sides(p))),
+         "the part along the display was made a unit vector before forward was added");
+    // A sum with the eye rounds to the eye's digits.
+    ONLY(far_eye,
+         i >= FIRST_FAR_EYE && goes_along(found, expected_ray(job, in).direction,
+                                          4 * 0x1p-24 * vec3_length(camera->eye)),
+         "from a near eye it is right, from a far eye its digits are lost: the eye, a large "
+         "number, has no part in the direction");
+    ONLY(is_zero, vec3_length(found) == 0, "it is zero");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_length)
+{
+    (void)job, (void)i, (void)answers;
+    ONLY(not_unit, 1, "it must be a unit vector, so that t is a distance: normalize()");
+    return NO_MORE;
+}
 
 static char *describe_direction(const void *job, int i, const void *answers)
 {
@@ -236,15 +237,21 @@ static int begins_at(const PixelAnswer *found, Vec3 eye)
     return found->origin.x == eye.x && found->origin.y == eye.y && found->origin.z == eye.z;
 }
 
-#define BEGINS begins_at(found, in->camera.eye)
+RIGHT(has_right_limits,
+      begins_at(found, in->camera.eye) && found->t_min == 0 && found->t_max == INFINITY)
 
-RIGHT(has_right_limits, BEGINS && found->t_min == 0 && found->t_max == INFINITY)
-ONLY(not_at_eye, !BEGINS, "the ray begins at the eye")
-ONLY(not_from_0, found->t_min != 0, "what is before the eye counts from 0 on")
-ONLY(largest_float, found->t_max == FLT_MAX, "the largest float is an end, too: t_max is INFINITY")
-ONLY(has_end, found->t_max != INFINITY, "the ray has no end: t_max is INFINITY")
+KNOWN_LIST(known_of_limits)
+{
+    GIVEN;
+    const int begins = begins_at(found, in->camera.eye);
 
-static const Known *const known_of_limits[] = {&not_at_eye, &not_from_0, &largest_float, &has_end};
+    ONLY(not_at_eye, !begins, "the ray begins at the eye");
+    ONLY(not_from_0, found->t_min != 0, "what is before the eye counts from 0 on");
+    ONLY(largest_float, found->t_max == FLT_MAX,
+         "the largest float is an end, too: t_max is INFINITY");
+    ONLY(has_end, found->t_max != INFINITY, "the ray has no end: t_max is INFINITY");
+    return NO_MORE;
+}
 
 static char *describe_limits(const void *job, int i, const void *answers)
 {

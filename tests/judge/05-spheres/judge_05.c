@@ -379,22 +379,13 @@ static const JudgeCheck checks[] = {
 };
 
 static const JobPart parts[] = {
-    PART("roots", "nearest_root", Job05, roots),
-    PART("textbook", NULL, Job05, textbook),  // alone with other t_min: write_alone_05()
-    PART("projection", NULL, Job05, projection),
-    PART("normals", "surface_normal", Job05, normals),
-    PART("shades", "shade", Job05, shades),
-    PART("lights", NULL, Job05, lights),  // alone with those of the scenes
-};
-
-static const ProbeStep steps[] = {
-    ON_DEVICE("roots", "nearest_root", RootJob),
-    ON_DEVICE("textbook", "intersect_textbook", SphereRayJob),
-    ON_DEVICE("projection", "intersect_sphere", SphereRayJob),
-    ON_DEVICE("normals", "surface_normal", NormalJob),
-    ON_DEVICE("shades", "shade", ShadeJob),
-    ON_SCENES("hits", "in nearest_hit", "nearest_hit"),
-    ON_SCENES("picture", "in render_spheres", NULL),
+    INPUTS("roots", "nearest_root", Job05, roots),
+    INPUTS("textbook", "intersect_textbook", Job05, textbook,
+           .is_apart = 1),  // alone with other t_min: write_alone_05()
+    INPUTS("projection", "intersect_sphere", Job05, projection, .is_apart = 1),
+    INPUTS("normals", "surface_normal", Job05, normals),
+    INPUTS("shades", "shade", Job05, shades),
+    DATA("lights", NULL, Job05, lights),  // alone with those of the scenes
 };
 
 const Judge judge_05 = {
@@ -406,7 +397,7 @@ const Judge judge_05 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job05, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"hits", "in nearest_hit", "nearest_hit"},
+                    {"picture", "in render_spheres", NULL}},
     .write_alone = write_alone_05,
 };

@@ -145,11 +145,6 @@ static void pixel_shades_free(PixelShades *shades)
     free(shades->lights);
 }
 
-static Vec3 rounded(OracleVector v)
-{
-    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
-}
-
 // The call for a pixel whose hit is certain. Returns 0 when its normal is not.
 static int shade_job(const JobScene3D *scene, int pixel, ShadeJob *job)
 {
@@ -162,8 +157,8 @@ static int shade_job(const JobScene3D *scene, int pixel, ShadeJob *job)
                                ray.origin.z + hit->t * ray.direction.z},
                               hit->t_tolerance};
     const OracleNear normal = oracle3d_normal(s->spheres[hit->sphere], point, direction, &right);
-    *job = (ShadeJob){.point = rounded(point.value),
-                      .normal = rounded(normal.value),
+    *job = (ShadeJob){.point = vector_rounded(point.value),
+                      .normal = vector_rounded(normal.value),
                       .material = s->materials[s->material_ids[hit->sphere]],
                       .n_lights = s->n_lights};
     return !isinf(normal.error);

@@ -5,15 +5,6 @@
 
 #include <math.h>
 
-static Vec3 direction(Random *random)
-{
-    Vec3 v;
-    do {
-        v = random_point(random, 1);
-    } while (vec3_dot(v, v) < 0.25f);
-    return vec3_normalized(v);
-}
-
 static Vec3 vec3_plus(Vec3 a, Vec3 b)
 {
     return (Vec3){a.x + b.x, a.y + b.y, a.z + b.z};
@@ -24,7 +15,7 @@ static Vec3 across(Random *random, Vec3 v)
 {
     Vec3 w;
     do {
-        w = vec3_cross(v, direction(random));
+        w = vec3_cross(v, random_direction(random));
     } while (vec3_dot(w, w) < 0.125f);
     return vec3_normalized(w);
 }
@@ -77,7 +68,7 @@ static SphereRayJob roll_sphere(Random *random, int range)
     const int is_inside = range == 1 && random_integer(random, 0, 3) != 0;
     const Distances d = range == 2 ? small : is_inside ? inside : outside;
     SphereRayJob job = {.origin = random_point(random, 4)};
-    job.direction = direction(random);
+    job.direction = random_direction(random);
     const float distance = random_number(random, d.nearest, d.farthest);
     const float radius =
         distance * (float)(d.smallest + (d.largest - d.smallest) *
@@ -102,10 +93,10 @@ static NormalJob roll_normal(Random *random, int range)
     const Vec3 centre = random_vector(random, -3, 3);
     const float radius = random_number(random, 0.25, 4);
     job.sphere = (Sphere){centre.x, centre.y, centre.z, radius};
-    const Vec3 outwards = direction(random);
+    const Vec3 outwards = random_direction(random);
     job.point = vec3_plus(centre, vec3_scaled(outwards, job.sphere.radius));
     do {
-        job.direction = direction(random);
+        job.direction = random_direction(random);
     } while (fabsf(vec3_dot(outwards, job.direction)) < 0.0625f);
     const int is_from_inside = range == 1 && random_integer(random, 0, 3) != 0;
     if ((vec3_dot(outwards, job.direction) > 0) != is_from_inside) {
@@ -118,7 +109,7 @@ static NormalJob roll_normal(Random *random, int range)
 static ShadeJob roll_shade(Random *random, int range, const Light lights[N_LIGHTS])
 {
     ShadeJob job = {.point = random_point(random, 2), .n_lights = 1};
-    job.normal = direction(random);
+    job.normal = random_direction(random);
     job.material = (Material){.shine = 30, .refraction = 1};
     job.material.color = random_vector(random, 0.25, 1);
     job.material.kd = random_number(random, 0.125, 0.875);
@@ -145,7 +136,7 @@ void roll_inputs_05(Job05 *job, Random *random)
     for (int i = 0; i < N_LIGHTS; i++) {
         // Outside the cube where points are.
         const float distance = random_number(random, 4, 12);
-        const Vec3 position = vec3_scaled(direction(random), distance);
+        const Vec3 position = vec3_scaled(random_direction(random), distance);
         job->lights[i] = (Light){position, random_vector(random, 0.125, 1)};
     }
     for (int i = 0; i < COUNT(job->roots); i++) {

@@ -106,11 +106,22 @@ static double hit(Line in, int enters, int leaves)
     return in.is_miss ? INFINITY : enters ? in.t_near : leaves ? in.t_far : INFINITY;
 }
 
-#define ENTERS(limit) (in.radius > 0 && in.t_near > (limit))
-#define LEAVES(limit) (in.t_far > (limit))
-#define HIT hit(in, ENTERS(in.t_min), LEAVES(in.t_min))
+static int enters(Line in, double limit)
+{
+    return in.radius > 0 && in.t_near > limit;
+}
 
-RIGHT(is_right_root, IS_FOUND(HIT))
+static int leaves(Line in, double limit)
+{
+    return in.t_far > limit;
+}
+
+static double right_hit(Line in)
+{
+    return hit(in, enters(in, in.t_min), leaves(in, in.t_min));
+}
+
+RIGHT(is_right_root, IS_FOUND(right_hit(in)))
 
 static int is_right_hit(const SphereRayJob *job, OracleForm form, float found)
 {
@@ -126,48 +137,12 @@ RIGHT(is_right_sphere, is_right_hit(&inputs->spheres[i], inputs->form, found))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-// Of the root.
-ANSWERS(touching_missed, in.is_touch ? INFINITY : HIT,
-        "where disc is 0 the ray touches the sphere, and that is a hit")
-ANSWERS(farther, hit(in, 0, LEAVES(in.t_min)),
-        "that is the farther root, where the ray leaves the sphere")
-ANSWERS(any_distance, hit(in, in.radius > 0, 1), "that is not beyond t_min")
-ANSWERS(negative_missed, in.radius < 0 ? INFINITY : HIT,
-        "a sphere with a negative radius is seen from inside")
-ANSWERS(inside_missed, hit(in, ENTERS(in.t_min), 0),
-        "from inside the second root is the hit: b + sqrt(disc)")
-ANSWERS(sign_ignored, hit(in, in.t_near > in.t_min, LEAVES(in.t_min)),
-        "a negative radius means that only the farther root counts")
-ANSWERS(negative_always, hit(in, ENTERS(in.t_min), in.radius < 0 || LEAVES(in.t_min)),
-        "where the radius is negative the farther root counts beyond t_min only, too")
-ANSWERS(t_min_is_0, hit(in, ENTERS(0), LEAVES(0)), "t_min is the ray's, and need not be 0")
-EACH(behind_missed, fabs(in.b) <= in.error || IS_FOUND(in.b < 0 ? INFINITY : HIT),
-     "the centre is behind the eye, which does not matter where the eye is inside")
-
-ANSWERS(inside_missed_of_positive, hit(in, ENTERS(in.t_min), in.radius < 0 && LEAVES(in.t_min)),
-        "from inside the second root is the hit: b + sqrt(disc)")
-
-// Of nearest_root only.
-ANSWERS(t_min_counts, hit(in, in.radius > 0 && in.t_near >= in.t_min, in.t_far >= in.t_min),
-        "t_min itself does not count")
-ANSWERS(entry_at_t_min, hit(in, in.radius > 0 && in.t_near >= in.t_min, LEAVES(in.t_min)),
-        "an entry at t_min itself does not count")
-ANSWERS(exit_unasked, hit(in, ENTERS(in.t_min), 1), "the exit counts beyond t_min only, too")
-ANSWERS(part_begins,
-        in.radius > 0 && !in.is_miss && LEAVES(in.t_min) ? fmax(in.t_near, in.t_min) : HIT,
-        "from inside the hit is where the ray leaves the sphere, not t_min")
-ANSWERS(largest_float, HIT == INFINITY ? FLT_MAX : HIT,
-        "where nothing is hit INFINITY is to be returned, not the largest float")
-ANSWERS(root_of_negative, in.disc < 0 ? NAN : HIT,
-        "a negative disc has no root: it is a miss, to be found before sqrt() makes NaN")
-ANSWERS(zero, HIT == INFINITY ? 0 : HIT, "where nothing is hit INFINITY is to be returned, not 0")
-
 // With another half of the chord.
 static int has_half(Line in, double half, float found)
 {
     in.t_near = in.b - half, in.t_far = in.b + half;
     in.error = 8 * ROUNDING * (fabs(in.b) + half);
-    return IS_FOUND(HIT);
+    return IS_FOUND(right_hit(in));
 }
 
 static int has_root_of_size(Line in, float found)
@@ -175,13 +150,6 @@ static int has_root_of_size(Line in, float found)
     in.is_miss = 0;
     return has_half(in, sqrt(fabs(in.disc)), found);
 }
-
-EACH(disc_unrooted, has_half(in, in.disc, found),
-     "disc is the square of half the chord: its root was forgotten")
-EACH(quarter_chord, has_half(in, sqrt(fmax(in.disc, 0)) / 2, found),
-     "sqrt(disc) is half of the chord already, and needs no division by 2")
-EACH(size_of_disc, has_root_of_size(in, found),
-     "a negative disc is a miss: the root of its size finds hits beside the sphere")
 
 // Epsilons, whose size is not known: the largest number that was taken for nothing says it.
 #define LARGEST_EPSILON 0.1
@@ -196,13 +164,13 @@ static Epsilons epsilons_of(const void *job, const void *answers)
     Epsilons epsilons = {0};
     for (int i = 0; i < 3 * N_ROOTS; i++) {
         GIVEN;
-        if (IS_FOUND(HIT)) {
+        if (IS_FOUND(right_hit(in))) {
             continue;
         }
-        if (ENTERS(in.t_min)) {
+        if (enters(in, in.t_min)) {
             epsilons.entry = fmax(epsilons.entry, in.t_near - in.t_min);
         }
-        if (LEAVES(in.t_min) && found == INFINITY) {
+        if (leaves(in, in.t_min) && found == INFINITY) {
             epsilons.exit = fmax(epsilons.exit, in.t_far - in.t_min);
         }
         epsilons.disc = fmax(epsilons.disc, in.is_miss ? INFINITY : in.disc);
@@ -215,18 +183,18 @@ static Epsilons epsilons_of(const void *job, const void *answers)
 static int is_by_disc(Line in, float found, const void *job, const void *answers)
 {
     if (in.is_miss || in.disc > LARGEST_EPSILON) {
-        return IS_FOUND(HIT);
+        return IS_FOUND(right_hit(in));
     }
     const double epsilon = epsilons_of(job, answers).disc;
     return epsilon > 0 && epsilon <= LARGEST_EPSILON &&
-           IS_FOUND(in.disc <= epsilon ? INFINITY : HIT);
+           IS_FOUND(in.disc <= epsilon ? INFINITY : right_hit(in));
 }
 
 static int is_by_t_min(Line in, float found, const void *job, const void *answers, int of_both)
 {
     if (fabs(in.t_near - in.t_min) > LARGEST_EPSILON &&
         fabs(in.t_far - in.t_min) > LARGEST_EPSILON) {
-        return IS_FOUND(HIT);
+        return IS_FOUND(right_hit(in));
     }
     const Epsilons epsilons = epsilons_of(job, answers);
     const double epsilon = of_both ? fmax(epsilons.entry, epsilons.exit) : epsilons.entry;
@@ -234,13 +202,6 @@ static int is_by_t_min(Line in, float found, const void *job, const void *answer
            IS_FOUND(hit(in, in.radius > 0 && in.t_near - in.t_min > epsilon,
                         in.t_far - in.t_min > (of_both ? epsilon : 0)));
 }
-
-EACH(disc_by_hair, is_by_disc(in, found, job, answers),
-     "a disc that is positive by however little, or 0, is a hit: compare it with 0, no epsilon")
-EACH(beyond_by_hair, is_by_t_min(in, found, job, answers, 1),
-     "a hit beyond t_min by however little counts: no epsilon")
-EACH(entry_by_hair, is_by_t_min(in, found, job, answers, 0),
-     "an entry beyond t_min by however little counts: no epsilon")
 
 // Does the answer come of a number that the stand-in of nearest_root makes of these?
 static int comes_of_stand_in(const Inputs05 *inputs, Line in, double b, double disc, double doubt,
@@ -266,46 +227,10 @@ static int comes_of(const Inputs05 *inputs, Line in, double b, double disc, floa
     in.is_miss = disc < 0, in.is_doubtful = fabs(disc) <= doubt;
     in.b = b, in.t_near = b - half, in.t_far = b + half;
     in.error = in.is_doubtful ? sqrt(doubt) : 1e-4 * (fabs(b) + half);
-    return fabs(in.radius) <= 1e-3 * sqrt(in.c2) || IS_FOUND(HIT);
+    return fabs(in.radius) <= 1e-3 * sqrt(in.c2) || IS_FOUND(right_hit(in));
 }
 
-#define C (in.c2 - in.radius * in.radius)
-#define LESS_WAY (in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)))
-
 #define B_TURNED "b has the wrong sign: what is ahead is taken for what is behind"
-
-EACH(b_turned, comes_of(inputs, in, -in.b, in.disc, found), B_TURNED)
-// The same where b is in l, too, as in the projection.
-EACH(b_turned_in_l, comes_of(inputs, in, -in.b, -C - 3 * in.b * in.b, found), B_TURNED)
-EACH(both_undivided, comes_of(inputs, in, 2 * in.b, 4 * in.disc, found),
-     "the formula with 2 b divides by 2 in the end: both roots are twice as far")
-EACH(disc_halved, comes_of(inputs, in, in.b, 2 * in.disc, found),
-     "disc is twice as large: with 2 b for b it is divided by 4")
-EACH(four_times_c, comes_of(inputs, in, in.b, -4 * C + in.b * in.b, found),
-     "with half of the equation's b the discriminant is b² - c, not b² - 4 c")
-EACH(c_turned, comes_of(inputs, in, in.b, C + in.b * in.b, found),
-     "c has the wrong sign: the discriminant is b² - c")
-EACH(b_doubled, comes_of(inputs, in, 2 * in.b, 4 * in.b * in.b - C, found),
-     "b is twice as large: b² - c goes with half of the equation's b")
-EACH(way_kept, comes_of(inputs, in, in.b, in.radius *in.radius - in.c2, found),
-     "l is the whole way to the centre: its part along the ray is to be taken off")
-EACH(length_as_it_is,
-     comes_of(inputs, in, in.b, in.radius *in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)), found),
-     "the length of l is not squared")
-EACH(radius_as_it_is, comes_of(inputs, in, in.b, in.radius - in.c2 + in.b * in.b, found),
-     "the radius is not squared")
-EACH(radius_less_way, comes_of(inputs, in, in.b, pow(LESS_WAY, 2), found),
-     "the square of r - |l| is never negative: the difference is that of squares")
-EACH(unsquared, comes_of(inputs, in, in.b, in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)), found),
-     "neither the radius nor the length of l is squared")
-EACH(way_added, comes_of(inputs, in, in.b, -C - 3 * in.b * in.b, found),
-     "l: the part along the ray was added to the way to the centre: it is taken off")
-EACH(b_unsquared, comes_of(inputs, in, in.b, in.b - C, found),
-     "b is not squared: the discriminant is b² - c")
-EACH(disc_of_whole_b, comes_of(inputs, in, in.b, 4 * in.disc, found),
-     "disc is four times as large: b² - 4 c goes with the whole b of the equation, and with half "
-     "of it b² - c")
-EACH(disc_turned, comes_of(inputs, in, in.b, -in.disc, found), "disc has the wrong sign")
 
 // The textbook's form is so far off with small spheres far away that any answer could be its: it
 // loses hits of the range, and finds others beside the sphere.
@@ -322,37 +247,136 @@ static int loses_and_misplaces(const SphereRayJob *jobs, const float *found)
     return n_lost > 0 && n_beside > 0;
 }
 
-EACH(textbook_form,
-     is_right_hit(&inputs->spheres[i], ORACLE_TEXTBOOK, found) &&
-         (i % N_SPHERES > 0 ||
-          loses_and_misplaces(&inputs->spheres[i], (const float *)answers + i)),
-     "the digits are lost: the textbook's form, or one like it, which squares before it subtracts")
-EACH(lost_afar, in.is_afar || is_right_hit(&inputs->spheres[i], inputs->form, found),
-     "near the scene's origin hits are right, far from it their digits are lost: subtract the eye "
-     "first, and go on with the difference only")
-ONLY(missed, found == INFINITY,
-     "other hits are right, and nothing but a negative disc and t_min makes a miss")
+KNOWN_LIST(known_of_both)
+{
+    GIVEN;
+    const double right = right_hit(in);
 
-static const Known *const known_of_root[] = {
-    &touching_missed,  &farther,        &any_distance,
-    &negative_missed,  &inside_missed,  &sign_ignored,
-    &t_min_is_0,       &behind_missed,  &negative_always,
-    &t_min_counts,     &entry_at_t_min, &exit_unasked,
-    &disc_by_hair,     &beyond_by_hair, &entry_by_hair,
-    &part_begins,      &disc_unrooted,  &quarter_chord,
-    &size_of_disc,     &largest_float,  &zero,
-    &root_of_negative, &missed,         &inside_missed_of_positive};
-static const Known *const known_of_sphere[] = {
-    &touching_missed, &farther,        &any_distance,    &negative_missed, &inside_missed,
-    &sign_ignored,    &t_min_is_0,     &behind_missed,   &negative_always, &b_turned,
-    &b_turned_in_l,   &both_undivided, &disc_halved,     &four_times_c,    &c_turned,
-    &b_doubled,       &way_kept,       &length_as_it_is, &radius_as_it_is, &radius_less_way,
-    &disc_turned,     &textbook_form,  &lost_afar,       &missed,          &unsquared,
-    &way_added,       &b_unsquared,    &disc_of_whole_b};
-static const Known *const known_alone[] = {
-    &b_turned,  &b_turned_in_l, &both_undivided,  &disc_halved,     &four_times_c,    &c_turned,
-    &b_doubled, &way_kept,      &length_as_it_is, &radius_as_it_is, &radius_less_way, &disc_turned,
-    &unsquared, &way_added,     &b_unsquared,     &disc_of_whole_b};
+    // Of the root.
+    ANSWERS(touching_missed, in.is_touch ? INFINITY : right,
+            "where disc is 0 the ray touches the sphere, and that is a hit");
+    ANSWERS(farther, hit(in, 0, leaves(in, in.t_min)),
+            "that is the farther root, where the ray leaves the sphere");
+    ANSWERS(any_distance, hit(in, in.radius > 0, 1), "that is not beyond t_min");
+    ANSWERS(negative_missed, in.radius < 0 ? INFINITY : right,
+            "a sphere with a negative radius is seen from inside");
+    ANSWERS(inside_missed, hit(in, enters(in, in.t_min), 0),
+            "from inside the second root is the hit: b + sqrt(disc)");
+    ANSWERS(sign_ignored, hit(in, in.t_near > in.t_min, leaves(in, in.t_min)),
+            "a negative radius means that only the farther root counts");
+    ANSWERS(negative_always, hit(in, enters(in, in.t_min), in.radius < 0 || leaves(in, in.t_min)),
+            "where the radius is negative the farther root counts beyond t_min only, too");
+    ANSWERS(t_min_is_0, hit(in, enters(in, 0), leaves(in, 0)),
+            "t_min is the ray's, and need not be 0");
+    EACH(behind_missed, fabs(in.b) <= in.error || IS_FOUND(in.b < 0 ? INFINITY : right),
+         "the centre is behind the eye, which does not matter where the eye is inside");
+    ONLY(missed, found == INFINITY,
+         "other hits are right, and nothing but a negative disc and t_min makes a miss");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_root)
+{
+    GIVEN;
+    const double right = right_hit(in);
+
+    ANSWERS(inside_missed_of_positive,
+            hit(in, enters(in, in.t_min), in.radius < 0 && leaves(in, in.t_min)),
+            "from inside the second root is the hit: b + sqrt(disc)");
+
+    // Of nearest_root only.
+    ANSWERS(t_min_counts, hit(in, in.radius > 0 && in.t_near >= in.t_min, in.t_far >= in.t_min),
+            "t_min itself does not count");
+    ANSWERS(entry_at_t_min, hit(in, in.radius > 0 && in.t_near >= in.t_min, leaves(in, in.t_min)),
+            "an entry at t_min itself does not count");
+    ANSWERS(exit_unasked, hit(in, enters(in, in.t_min), 1),
+            "the exit counts beyond t_min only, too");
+    ANSWERS(part_begins,
+            in.radius > 0 && !in.is_miss && leaves(in, in.t_min) ? fmax(in.t_near, in.t_min)
+                                                                 : right,
+            "from inside the hit is where the ray leaves the sphere, not t_min");
+    ANSWERS(largest_float, right == INFINITY ? FLT_MAX : right,
+            "where nothing is hit INFINITY is to be returned, not the largest float");
+    ANSWERS(root_of_negative, in.disc < 0 ? NAN : right,
+            "a negative disc has no root: it is a miss, to be found before sqrt() makes NaN");
+    ANSWERS(zero, right == INFINITY ? 0 : right,
+            "where nothing is hit INFINITY is to be returned, not 0");
+
+    EACH(disc_unrooted, has_half(in, in.disc, found),
+         "disc is the square of half the chord: its root was forgotten");
+    EACH(quarter_chord, has_half(in, sqrt(fmax(in.disc, 0)) / 2, found),
+         "sqrt(disc) is half of the chord already, and needs no division by 2");
+    EACH(size_of_disc, has_root_of_size(in, found),
+         "a negative disc is a miss: the root of its size finds hits beside the sphere");
+
+    EACH(
+        disc_by_hair, is_by_disc(in, found, job, answers),
+        "a disc that is positive by however little, or 0, is a hit: compare it with 0, no epsilon");
+    EACH(beyond_by_hair, is_by_t_min(in, found, job, answers, 1),
+         "a hit beyond t_min by however little counts: no epsilon");
+    EACH(entry_by_hair, is_by_t_min(in, found, job, answers, 0),
+         "an entry beyond t_min by however little counts: no epsilon");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_call)
+{
+    GIVEN;
+    const double c = in.c2 - in.radius * in.radius;
+    const double less_way = in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0));
+
+    EACH(b_turned, comes_of(inputs, in, -in.b, in.disc, found), B_TURNED);
+    // The same where b is in l, too, as in the projection.
+    EACH(b_turned_in_l, comes_of(inputs, in, -in.b, -c - 3 * in.b * in.b, found), B_TURNED);
+    EACH(both_undivided, comes_of(inputs, in, 2 * in.b, 4 * in.disc, found),
+         "the formula with 2 b divides by 2 in the end: both roots are twice as far");
+    EACH(disc_halved, comes_of(inputs, in, in.b, 2 * in.disc, found),
+         "disc is twice as large: with 2 b for b it is divided by 4");
+    EACH(four_times_c, comes_of(inputs, in, in.b, -4 * c + in.b * in.b, found),
+         "with half of the equation's b the discriminant is b² - c, not b² - 4 c");
+    EACH(c_turned, comes_of(inputs, in, in.b, c + in.b * in.b, found),
+         "c has the wrong sign: the discriminant is b² - c");
+    EACH(b_doubled, comes_of(inputs, in, 2 * in.b, 4 * in.b * in.b - c, found),
+         "b is twice as large: b² - c goes with half of the equation's b");
+    EACH(way_kept, comes_of(inputs, in, in.b, in.radius * in.radius - in.c2, found),
+         "l is the whole way to the centre: its part along the ray is to be taken off");
+    EACH(length_as_it_is,
+         comes_of(inputs, in, in.b, in.radius * in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)),
+                  found),
+         "the length of l is not squared");
+    EACH(radius_as_it_is, comes_of(inputs, in, in.b, in.radius - in.c2 + in.b * in.b, found),
+         "the radius is not squared");
+    EACH(radius_less_way, comes_of(inputs, in, in.b, pow(less_way, 2), found),
+         "the square of r - |l| is never negative: the difference is that of squares");
+    EACH(unsquared,
+         comes_of(inputs, in, in.b, in.radius - sqrt(fmax(in.c2 - in.b * in.b, 0)), found),
+         "neither the radius nor the length of l is squared");
+    EACH(way_added, comes_of(inputs, in, in.b, -c - 3 * in.b * in.b, found),
+         "l: the part along the ray was added to the way to the centre: it is taken off");
+    EACH(b_unsquared, comes_of(inputs, in, in.b, in.b - c, found),
+         "b is not squared: the discriminant is b² - c");
+    EACH(disc_of_whole_b, comes_of(inputs, in, in.b, 4 * in.disc, found),
+         "disc is four times as large: b² - 4 c goes with the whole b of the equation, and with "
+         "half of it b² - c");
+    EACH(disc_turned, comes_of(inputs, in, in.b, -in.disc, found), "disc has the wrong sign");
+    return NO_MORE;
+}
+
+KNOWN_LIST(known_of_sphere)
+{
+    GIVEN;
+
+    EACH(textbook_form,
+         is_right_hit(&inputs->spheres[i], ORACLE_TEXTBOOK, found) &&
+             (i % N_SPHERES > 0 ||
+              loses_and_misplaces(&inputs->spheres[i], (const float *)answers + i)),
+         "the digits are lost: the textbook's form, or one like it, which squares before it "
+         "subtracts");
+    EACH(lost_afar, in.is_afar || is_right_hit(&inputs->spheres[i], inputs->form, found),
+         "near the scene's origin hits are right, far from it their digits are lost: subtract the "
+         "eye first, and go on with the difference only");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -360,7 +384,7 @@ static char *describe_root(const void *job, int i, const void *answers)
 {
     GIVEN;
     return message_new("b %g, disc %g, radius %g, t_min %.9g: found %.9g, expected %.9g", in.b,
-                       in.disc, in.radius, in.t_min, found, HIT);
+                       in.disc, in.radius, in.t_min, found, right_hit(in));
 }
 
 static char *describe_sphere(const void *job, int i, const void *answers)
@@ -370,36 +394,39 @@ static char *describe_sphere(const void *job, int i, const void *answers)
     return message_new("sphere at %s, ray from %s along %s, t_min %g: found %.9g, expected %.9g",
                        words_sphere(sphere->sphere).text, words_vec3(sphere->origin, 6).text,
                        words_vec3(sphere->direction, 7).text, in.t_min, found,
-                       in.disc < 0 && !in.is_touch ? (double)INFINITY : HIT);
+                       in.disc < 0 && !in.is_touch ? (double)INFINITY : right_hit(in));
 }
 
-const Function nearest_root_05 = {"roots",
-                                  3 * N_ROOTS,
-                                  sizeof(float),
-                                  KNOWING(is_right_root, describe_root, known_of_root),
-                                  .inputs = offsetof(Job05, of_root),
-                                  .is_known_by_range = 1};
-const Function textbook_05 = {"textbook",
-                              2 * N_SPHERES,
-                              sizeof(float),
-                              KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
-                              .inputs = offsetof(Job05, of_textbook),
-                              .is_known_by_range = 1};
-const Function projection_05 = {"projection",
-                                3 * N_SPHERES,
-                                sizeof(float),
-                                KNOWING(is_right_sphere, describe_sphere, known_of_sphere),
-                                .inputs = offsetof(Job05, of_sphere),
-                                .is_known_by_range = 1};
+const Function nearest_root_05 = {
+    "roots",
+    3 * N_ROOTS,
+    sizeof(float),
+    KNOWING(is_right_root, describe_root, known_of_both, known_of_root),
+    .inputs = offsetof(Job05, of_root),
+    .is_known_by_range = 1};
+const Function textbook_05 = {
+    "textbook",
+    2 * N_SPHERES,
+    sizeof(float),
+    KNOWING(is_right_sphere, describe_sphere, known_of_both, known_of_call, known_of_sphere),
+    .inputs = offsetof(Job05, of_textbook),
+    .is_known_by_range = 1};
+const Function projection_05 = {
+    "projection",
+    3 * N_SPHERES,
+    sizeof(float),
+    KNOWING(is_right_sphere, describe_sphere, known_of_both, known_of_call, known_of_sphere),
+    .inputs = offsetof(Job05, of_sphere),
+    .is_known_by_range = 1};
 const Function textbook_alone_05 = {"textbook",
                                     2 * N_SPHERES,
                                     sizeof(float),
-                                    KNOWING(is_right_sphere, describe_sphere, known_alone),
+                                    KNOWING(is_right_sphere, describe_sphere, known_of_call),
                                     .inputs = offsetof(Job05, of_textbook),
                                     .is_known_by_range = 1};
 const Function projection_alone_05 = {"projection",
                                       3 * N_SPHERES,
                                       sizeof(float),
-                                      KNOWING(is_right_sphere, describe_sphere, known_alone),
+                                      KNOWING(is_right_sphere, describe_sphere, known_of_call),
                                       .inputs = offsetof(Job05, of_sphere),
                                       .is_known_by_range = 1};

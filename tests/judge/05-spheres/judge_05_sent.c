@@ -13,11 +13,6 @@ static const OracleRules3D right = {0};
 // A share of the numbers of a root that is more than any rounding.
 #define CLEARLY 1e-5
 
-static Vec3 rounded(OracleVector v)
-{
-    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
-}
-
 // ---- nearest_root -------------------------------------------------------------------------------
 
 // The call for a ray and a sphere, in the range that it belongs to. None is kept of which rounding
@@ -56,7 +51,8 @@ static void keep_normal(Random *random, const SphereRayJob *ray, double t, Sent 
 {
     const OracleVector direction = vector_of(ray->direction);
     const NormalJob job = {
-        ray->sphere, rounded(vector_plus(vector_of(ray->origin), vector_scaled(t, direction))),
+        ray->sphere,
+        vector_rounded(vector_plus(vector_of(ray->origin), vector_scaled(t, direction))),
         ray->direction};
     const OracleVector outwards = vector_minus(vector_of(job.point), centre_of(job.sphere));
     const OracleNear normal = oracle3d_normal(job.sphere, oracle3d_exactly(job.point),
@@ -81,8 +77,8 @@ static double roll_call(Random *random, const JobScene3D *scene, SphereRayJob *j
     const int is_hit = hit->sphere != ORACLE_NO_SPHERE && random_integer(random, 0, 2) > 0;
     const u32 sphere = is_hit ? hit->sphere : (u32)random_integer(random, 0, s->n_spheres - 1);
     *job = (SphereRayJob){.sphere = s->spheres[sphere],
-                          .origin = rounded(ray.origin),
-                          .direction = rounded(ray.direction)};
+                          .origin = vector_rounded(ray.origin),
+                          .direction = vector_rounded(ray.direction)};
     return is_hit && !hit->is_ambiguous ? hit->t : INFINITY;
 }
 

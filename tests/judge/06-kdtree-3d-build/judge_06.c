@@ -95,13 +95,6 @@ static const JudgeCheck checks[] = {
      .tree = judge_tree, .tree3d = judge_depth, .range = {JUST_FITS, 2}, .alone = levels_alone_06},
 };
 
-static const JobPart parts[] = {
-    PART("splits", "choose_split", Job06, splits),
-    PART("overlaps", "sphere_overlaps_box", Job06, overlaps),
-    PART("pack", "pack_leaf_range", Job06, packs),
-    PART("todo", "fits_todo", Job06, levels),
-};
-
 static void describe_sphere_and_box(const void *input, char *words, size_t n_bytes)
 {
     const SphereBoxJob *in = input;
@@ -122,12 +115,11 @@ static void describe_level(const void *input, char *words, size_t n_bytes)
     snprintf(words, n_bytes, "level %d", (int)*(const LevelJob *)input);
 }
 
-static const ProbeStep steps[] = {
-    ON_HOST("splits", "choose_split", BBox3D, tree3d_describe_box),
-    ON_HOST("overlaps", "sphere_overlaps_box", SphereBoxJob, describe_sphere_and_box),
-    ON_HOST("pack", "pack_leaf_range", PackJob, describe_pack),
-    ON_HOST("todo", "fits_todo", LevelJob, describe_level),
-    ON_SCENES("tree", "while kdtree3d_build built a whole tree", NULL),
+static const JobPart parts[] = {
+    INPUTS("splits", "choose_split", Job06, splits, .describe = tree3d_describe_box),
+    INPUTS("overlaps", "sphere_overlaps_box", Job06, overlaps, .describe = describe_sphere_and_box),
+    INPUTS("pack", "pack_leaf_range", Job06, packs, .describe = describe_pack),
+    INPUTS("todo", "fits_todo", Job06, levels, .describe = describe_level),
 };
 
 const Judge judge_06 = {
@@ -140,8 +132,7 @@ const Judge judge_06 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(tree3d_scene_kind, Job06, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"tree", "while kdtree3d_build built a whole tree", NULL}},
     .write_alone = write_alone_06,
     .add_pictures = tree3d_add_pictures,
 };

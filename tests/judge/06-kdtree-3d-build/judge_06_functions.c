@@ -29,80 +29,75 @@ static char *describe_axis(const void *job, int i, const void *answers)
 
 RIGHT(is_longest, facts_are_none(describe_axis(job, i, answers)))
 
-#define LENGTH(axis) ((double)in.max[axis] - in.min[axis])
-#define OWN_LENGTH LENGTH(found.axis)
-#define LONGEST fmax(LENGTH(0), fmax(LENGTH(1), LENGTH(2)))
-#define SHORTEST fmin(LENGTH(0), fmin(LENGTH(1), LENGTH(2)))
-#define AXIS_OF_LARGEST(x, y, z) ((z) > fmax(x, y) ? 2u : (y) > (x) ? 1u : 0u)
-#define FARTHEST(axis) fmax(fabs((double)in.min[axis]), fabs((double)in.max[axis]))
-#define SUM(axis) ((double)in.min[axis] + in.max[axis])
+static double length_of(BBox3D in, u32 axis)
+{
+    return (double)in.max[axis] - in.min[axis];
+}
+
+static double middle_on(BBox3D in, u32 axis)
+{
+    return ((double)in.min[axis] + in.max[axis]) / 2;
+}
+
+static double farthest(BBox3D in, u32 axis)
+{
+    return fmax(fabs((double)in.min[axis]), fabs((double)in.max[axis]));
+}
+
+static u32 axis_of_largest(double x, double y, double z)
+{
+    return z > fmax(x, y) ? 2 : y > x ? 1 : 0;
+}
+
 #define NOT_THE_LONGEST                                                                            \
     "each side was compared with one other only: the longest so far has to be remembered"
 
-ANSWERS(beside_x, LENGTH(2) > LENGTH(0) ? 2u : LENGTH(1) > LENGTH(0) ? 1u : 0u, NOT_THE_LONGEST)
-ANSWERS(beside_last, LENGTH(2) > LENGTH(1) ? 2u : LENGTH(1) > LENGTH(0) ? 1u : 0u, NOT_THE_LONGEST)
-ANSWERS(whole_lengths, AXIS_OF_LARGEST(trunc(LENGTH(0)), trunc(LENGTH(1)), trunc(LENGTH(2))),
-        "the sides were compared as whole numbers")
-ANSWERS(largest, AXIS_OF_LARGEST(in.max[0], in.max[1], in.max[2]),
-        "that is the axis of the largest coordinate, not of the longest side")
-ANSWERS(beside_next, LENGTH(0) > LENGTH(1) ? 0u : LENGTH(1) > LENGTH(2) ? 1u : 2u, NOT_THE_LONGEST)
-ANSWERS(beside_next_equal,
-        LENGTH(0) >= LENGTH(1)   ? 0u
-        : LENGTH(1) >= LENGTH(2) ? 1u
-                                 : 2u,
-        NOT_THE_LONGEST)
-ANSWERS(last_where_equal,
-        LENGTH(0) > fmax(LENGTH(1), LENGTH(2))   ? 0u
-        : LENGTH(1) > fmax(LENGTH(0), LENGTH(2)) ? 1u
-                                                 : 2u,
-        "where sides are equal no comparison is true, and z is left: of equal sides the first "
-        "counts")
-ANSWERS(last_of_any_length,
-        LENGTH(2) > 0   ? 2u
-        : LENGTH(1) > 0 ? 1u
-                        : 0u,
-        "the longest so far was not kept: each side was compared with what it was at first")
-ANSWERS(largest_end, AXIS_OF_LARGEST(FARTHEST(0), FARTHEST(1), FARTHEST(2)),
-        "that is the axis of the largest coordinate, not of the longest side")
-ANSWERS(largest_sum, AXIS_OF_LARGEST(SUM(0), SUM(1), SUM(2)),
-        "minimum and maximum were added: a side is the maximum minus the minimum")
-ANSWERS(always_y, 1u, "y was split every time: the longest side is to be split")
-ANSWERS(always_z, 2u, "z was split every time: the longest side is to be split")
-ANSWERS(always_x, 0u, "x was split every time: the longest side is to be split")
-ANSWERS(never_y, LENGTH(2) > LENGTH(0) ? 2u : 0u, "y was never split, and a cell has three sides")
-ANSWERS(never_x, LENGTH(2) > LENGTH(1) ? 2u : 1u, "x was never split, and a cell has three sides")
-ANSWERS(never_z, LENGTH(1) > LENGTH(0) ? 1u : 0u, "z was never split, and a cell has three sides")
-ONLY(no_axis, found.axis >= 3, "there are axes 0, 1 and 2")
-ONLY(equal, found.axis < 3 && OWN_LENGTH == LONGEST, "of equal sides the first counts")
-ONLY(nearly_equal, found.axis < 3 && OWN_LENGTH < LONGEST && LONGEST - OWN_LENGTH < LONGEST / 1024,
-     "these sides are not equal, if nearly, and the longest is split")
-ONLY(nearly_equal_in_whole, found.axis < 3 && LONGEST - OWN_LENGTH < 2,
-     "only sides that differ by less than 2, or not at all, are mistaken for one another: are they "
-     "cut "
-     "to whole numbers, or compared with an epsilon?")
-ONLY(shortest, found.axis < 3 && OWN_LENGTH == SHORTEST, "that side is the shortest")
+KNOWN_LIST(known_of_axis)
+{
+    GIVEN;
+    const double x = length_of(in, 0), y = length_of(in, 1), z = length_of(in, 2);
+    const double longest = fmax(x, fmax(y, z)), shortest_side = fmin(x, fmin(y, z));
+    const double own = found.axis < 3 ? length_of(in, found.axis) : 0;
 
-static const Known *const known_of_axis[] = {&beside_x,
-                                             &beside_last,
-                                             &whole_lengths,
-                                             &largest,
-                                             &always_x,
-                                             &never_z,
-                                             &no_axis,
-                                             &equal,
-                                             &nearly_equal,
-                                             &shortest,
-                                             &beside_next,
-                                             &beside_next_equal,
-                                             &last_of_any_length,
-                                             &largest_end,
-                                             &largest_sum,
-                                             &always_y,
-                                             &always_z,
-                                             &last_where_equal,
-                                             &never_y,
-                                             &never_x,
-                                             &nearly_equal_in_whole};
+    ANSWERS(beside_x, z > x ? 2u : y > x ? 1u : 0u, NOT_THE_LONGEST);
+    ANSWERS(beside_last, z > y ? 2u : y > x ? 1u : 0u, NOT_THE_LONGEST);
+    ANSWERS(whole_lengths, axis_of_largest(trunc(x), trunc(y), trunc(z)),
+            "the sides were compared as whole numbers");
+    ANSWERS(largest, axis_of_largest(in.max[0], in.max[1], in.max[2]),
+            "that is the axis of the largest coordinate, not of the longest side");
+    ANSWERS(beside_next, x > y ? 0u : y > z ? 1u : 2u, NOT_THE_LONGEST);
+    ANSWERS(beside_next_equal, x >= y ? 0u : y >= z ? 1u : 2u, NOT_THE_LONGEST);
+    ANSWERS(last_where_equal,
+            x > fmax(y, z)   ? 0u
+            : y > fmax(x, z) ? 1u
+                             : 2u,
+            "where sides are equal no comparison is true, and z is left: of equal sides the first "
+            "counts");
+    ANSWERS(last_of_any_length,
+            z > 0   ? 2u
+            : y > 0 ? 1u
+                    : 0u,
+            "the longest so far was not kept: each side was compared with what it was at first");
+    ANSWERS(largest_end, axis_of_largest(farthest(in, 0), farthest(in, 1), farthest(in, 2)),
+            "that is the axis of the largest coordinate, not of the longest side");
+    ANSWERS(largest_sum, axis_of_largest(middle_on(in, 0), middle_on(in, 1), middle_on(in, 2)),
+            "minimum and maximum were added: a side is the maximum minus the minimum");
+    ANSWERS(always_y, 1u, "y was split every time: the longest side is to be split");
+    ANSWERS(always_z, 2u, "z was split every time: the longest side is to be split");
+    ANSWERS(always_x, 0u, "x was split every time: the longest side is to be split");
+    ANSWERS(never_y, z > x ? 2u : 0u, "y was never split, and a cell has three sides");
+    ANSWERS(never_x, z > y ? 2u : 1u, "x was never split, and a cell has three sides");
+    ANSWERS(never_z, y > x ? 1u : 0u, "z was never split, and a cell has three sides");
+    ONLY(no_axis, found.axis >= 3, "there are axes 0, 1 and 2");
+    ONLY(equal, found.axis < 3 && own == longest, "of equal sides the first counts");
+    ONLY(nearly_equal, found.axis < 3 && own < longest && longest - own < longest / 1024,
+         "these sides are not equal, if nearly, and the longest is split");
+    ONLY(shortest, found.axis < 3 && own == shortest_side, "that side is the shortest");
+    ONLY(nearly_equal_in_whole, found.axis < 3 && longest - own < 2,
+         "only sides that differ by less than 2, or not at all, are mistaken for one another: are "
+         "they cut to whole numbers, or compared with an epsilon?");
+    return NO_MORE;
+}
 
 const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
                                 KNOWING(is_longest, describe_axis, known_of_axis)};
@@ -110,10 +105,11 @@ const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
 
 // Where along the side that the student has chosen. An axis that is none is the other check's
 // matter.
-#define OWN_AXIS (found.axis < 3 ? found.axis : 0)
-#define LOW_END ((double)in.min[OWN_AXIS])
-#define HIGH_END ((double)in.max[OWN_AXIS])
-#define MIDDLE_OF(axis) (((double)in.min[axis] + in.max[axis]) / 2)
+static u32 own_axis(SplitAnswer3D found)
+{
+    return found.axis < 3 ? found.axis : 0;
+}
+
 #define AN_END "that is an end of the side, not its middle"
 #define MIN_HALVED "only the minimum was halved: the sum of both ends is to be"
 #define WRONG_END "half of the side goes from the minimum up, or from the maximum down"
@@ -122,67 +118,70 @@ const Function split_axis_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
 static char *describe_middle(const void *job, int i, const void *answers)
 {
     GIVEN;
-    return facts_of(tree3d_judge_middle("choose_split", in, OWN_AXIS, found.pos));
+    return facts_of(tree3d_judge_middle("choose_split", in, own_axis(found), found.pos));
 }
 
 RIGHT(is_middle, facts_are_none(describe_middle(job, i, answers)))
 
-ANSWERS(zero_for_a_point, HIGH_END > LOW_END ? (LOW_END + HIGH_END) / 2 : 0,
-        "other cells are right, but one of no length has its middle where it lies, too")
-ANSWERS(whole_middle, floor((LOW_END + HIGH_END) / 2), "the middle was rounded to a whole number")
-ANSWERS(half_of_max, HIGH_END / 2, "that is half of the maximum: the minimum counts, too")
-ANSWERS(half_of_min, LOW_END / 2, "that is half of the minimum: the maximum counts, too")
-ANSWERS(low_end, LOW_END, AN_END)
-ANSWERS(high_end, HIGH_END, AN_END)
-ANSWERS(length, HIGH_END - LOW_END, "that is the side's length, not a place on it")
-ANSWERS(min_taken_off, (HIGH_END - LOW_END) / 2 - LOW_END,
-        "the minimum is added to half of the side, not taken off")
-ANSWERS(from_max, HIGH_END + (HIGH_END - LOW_END) / 2, WRONG_END)
-ANSWERS(from_min, LOW_END - (HIGH_END - LOW_END) / 2, WRONG_END)
-ANSWERS(max_halved, LOW_END + HIGH_END / 2,
-        "only the maximum was halved: the sum of both ends is to be")
-ANSWERS(min_halved, HIGH_END - LOW_END / 2, MIN_HALVED)
-ANSWERS(min_halved_added, HIGH_END + LOW_END / 2, MIN_HALVED)
-ONLY(other_axis, IS_FOUND(MIDDLE_OF((OWN_AXIS + 1) % 3)) || IS_FOUND(MIDDLE_OF((OWN_AXIS + 2) % 3)),
-     "that is the middle of another axis than split.axis")
-
 // A third, a quarter, ...: the same of each side.
 static double share_of(BBox3D in, SplitAnswer3D found)
 {
-    return HIGH_END > LOW_END ? (found.pos - LOW_END) / (HIGH_END - LOW_END) : 0;
+    const u32 axis = own_axis(found);
+    const double length = length_of(in, axis);
+    return length > 0 ? (found.pos - (double)in.min[axis]) / length : 0;
 }
 
 static double at_share(const void *job, BBox3D in, SplitAnswer3D found, const void *answers)
 {
+    const u32 axis = own_axis(found);
     const double share =
         share_of(((const Job06 *)job)->splits[0], ((const SplitAnswer3D *)answers)[0]);
-    return LOW_END + share * (HIGH_END - LOW_END);
+    return in.min[axis] + share * length_of(in, axis);
 }
 
-ONLY(other_share, fabs(found.pos - at_share(job, in, found, answers)) <= FLT_EPSILON * 4096,
-     "each side is cut at the same share of it, which is not one half")
-ANSWERS(middle_of_y, MIDDLE_OF(1), "the position is the middle of y, whatever the axis")
-ANSWERS(middle_of_z, MIDDLE_OF(2), "the position is the middle of z, whatever the axis")
-ANSWERS(middle_of_x, ((double)in.min[0] + in.max[0]) / 2,
-        "the position is the middle of x, whatever the axis")
-ANSWERS(pos_not_set, 0, "split.pos is not set")
-ANY(other_start, 3, IS_FOUND(in.min[way] + (HIGH_END - LOW_END) / 2),
-    "half of the side was added to the minimum of the same axis each time: it is that of "
-    "split.axis")
-ANY(whole_length, 2,
-    IS_FOUND(LOW_END + (way ? trunc((HIGH_END - LOW_END) / 2) : trunc(HIGH_END - LOW_END) / 2)),
-    "the side's length, or half of it, was made a whole number")
-ANSWERS(sum_halved_added, LOW_END + (LOW_END + HIGH_END) / 2,
-        "from the minimum on it is half of the length, not half of the sum of both ends")
-ANSWERS(sum_of_ends, LOW_END + HIGH_END, "the sum of both ends is to be halved")
-ANSWERS(half_length, (HIGH_END - LOW_END) / 2, "that is half the length, as if the cell began at 0")
+KNOWN_LIST(known_of_middle)
+{
+    GIVEN;
+    const u32 axis = own_axis(found);
+    const double low = in.min[axis], high = in.max[axis], length = high - low;
 
-static const Known *const known_of_middle[] = {
-    &zero_for_a_point, &whole_middle, &middle_of_x, &sum_of_ends,     &half_length,
-    &half_of_max,      &half_of_min,  &low_end,     &high_end,        &length,
-    &min_taken_off,    &from_max,     &from_min,    &max_halved,      &min_halved,
-    &min_halved_added, &other_axis,   &other_share, &other_start,     &whole_length,
-    &middle_of_y,      &middle_of_z,  &pos_not_set, &sum_halved_added};
+    ANSWERS(zero_for_a_point, high > low ? (low + high) / 2 : 0,
+            "other cells are right, but one of no length has its middle where it lies, too");
+    ANSWERS(whole_middle, floor((low + high) / 2), "the middle was rounded to a whole number");
+    ANSWERS(half_of_max, high / 2, "that is half of the maximum: the minimum counts, too");
+    ANSWERS(half_of_min, low / 2, "that is half of the minimum: the maximum counts, too");
+    ANSWERS(low_end, low, AN_END);
+    ANSWERS(high_end, high, AN_END);
+    ANSWERS(whole_side, length, "that is the side's length, not a place on it");
+    ANSWERS(min_taken_off, length / 2 - low,
+            "the minimum is added to half of the side, not taken off");
+    ANSWERS(from_max, high + length / 2, WRONG_END);
+    ANSWERS(from_min, low - length / 2, WRONG_END);
+    ANSWERS(max_halved, low + high / 2,
+            "only the maximum was halved: the sum of both ends is to be");
+    ANSWERS(min_halved, high - low / 2, MIN_HALVED);
+    ANSWERS(min_halved_added, high + low / 2, MIN_HALVED);
+    ONLY(other_axis,
+         IS_FOUND(middle_on(in, (axis + 1) % 3)) || IS_FOUND(middle_on(in, (axis + 2) % 3)),
+         "that is the middle of another axis than split.axis");
+
+    ONLY(other_share, fabs(found.pos - at_share(job, in, found, answers)) <= FLT_EPSILON * 4096,
+         "each side is cut at the same share of it, which is not one half");
+    ANSWERS(middle_of_y, middle_on(in, 1), "the position is the middle of y, whatever the axis");
+    ANSWERS(middle_of_z, middle_on(in, 2), "the position is the middle of z, whatever the axis");
+    ANSWERS(middle_of_x, middle_on(in, 0), "the position is the middle of x, whatever the axis");
+    ANSWERS(pos_not_set, 0, "split.pos is not set");
+    ANY(other_start, 3, IS_FOUND(in.min[way] + length / 2),
+        "half of the side was added to the minimum of the same axis each time: it is that of "
+        "split.axis");
+    ANY(whole_length, 2, IS_FOUND(low + (way ? trunc(length / 2) : trunc(length) / 2)),
+        "the side's length, or half of it, was made a whole number");
+    ANSWERS(sum_halved_added, low + (low + high) / 2,
+            "from the minimum on it is half of the length, not half of the sum of both ends");
+    ANSWERS(sum_of_ends, low + high, "the sum of both ends is to be halved");
+    ANSWERS(half_length, length / 2, "that is half the length, as if the cell began at 0");
+    return NO_MORE;
+}
 
 const Function split_middle_06 = {"splits", N_SPLITS, sizeof(SplitAnswer3D),
                                   KNOWING(is_middle, describe_middle, known_of_middle)};
@@ -219,39 +218,43 @@ static i32 last_allowed(const void *answers)
     return level;
 }
 
-#define LAST last_allowed(answers)
-ANSWERS(one_short, in <= TODO_SIZE - 1,
-        "the last place of the stack is never used: a split on level N lets N nodes wait, and as "
-        "many as there are places fit")
-ANSWERS(one_too_many, in <= TODO_SIZE + 1,
-        "that is one level too many: a split on level N lets N nodes wait, not N - 1")
-ANSWERS(half, in <= TODO_SIZE / 2, "only one node waits for each split, not two")
-ANSWERS(nodes_of_level, in <= 5,
-        "a level's nodes were counted: of all of them only one waits for each split on the way")
-ANY(levels_inverted, 2, IS_FOUND(in > TODO_SIZE - way), "1 and 0 are swapped: 1 allows the split")
-ANSWERS(all_levels, 1, "every split is allowed: the stack has TODO_SIZE places")
-ANSWERS(not_equal, in != TODO_SIZE,
-        "a negative number is not 0, and so counts as yes: return a comparison")
-ANSWERS(no_level, 0, "no split is allowed: the stack has TODO_SIZE places")
-ANSWERS(only_last, in == TODO_SIZE,
-        "each level up to the last that fits is allowed, not that alone")
+KNOWN_LIST(known_of_levels)
+{
+    GIVEN;
+    const i32 last = last_allowed(answers);
+
+    ANSWERS(one_short, in <= TODO_SIZE - 1,
+            "the last place of the stack is never used: a split on level N lets N nodes wait, and "
+            "as many as there are places fit");
+    ANSWERS(one_too_many, in <= TODO_SIZE + 1,
+            "that is one level too many: a split on level N lets N nodes wait, not N - 1");
+    ANSWERS(half, in <= TODO_SIZE / 2, "only one node waits for each split, not two");
+    ANSWERS(
+        nodes_of_level, in <= 5,
+        "a level's nodes were counted: of all of them only one waits for each split on the way");
+    ANY(levels_inverted, 2, IS_FOUND(in > TODO_SIZE - way),
+        "1 and 0 are swapped: 1 allows the split");
+    ANSWERS(all_levels, 1, "every split is allowed: the stack has TODO_SIZE places");
+    ANSWERS(not_equal, in != TODO_SIZE,
+            "a negative number is not 0, and so counts as yes: return a comparison");
+    ANSWERS(no_level, 0, "no split is allowed: the stack has TODO_SIZE places");
+    ANSWERS(only_last, in == TODO_SIZE,
+            "each level up to the last that fits is allowed, not that alone");
 #define LEVEL_CUT                                                                                  \
     "the level was cut to 8 or 16 bits: it is an int, and any level beyond TODO_SIZE is too deep"
-ANSWERS(cut_u8, (uint8_t)in <= TODO_SIZE, LEVEL_CUT)
-ANSWERS(cut_i8, (int8_t)in <= TODO_SIZE, LEVEL_CUT)
-ANSWERS(cut_u16, (uint16_t)in <= TODO_SIZE, LEVEL_CUT)
-ANSWERS(cut_i16, (int16_t)in <= TODO_SIZE, LEVEL_CUT)
-// Of which of the others it is.
-ONLY(other_limit, LAST != TODO_SIZE && is_limit(job, answers, LAST),
-     "levels are compared with another number than TODO_SIZE")
-ONLY(too_few, in <= TODO_SIZE, "levels are refused though as many nodes as they let wait fit")
-ONLY(far_beyond, in > TODO_SIZE,
-     "only levels beyond TODO_SIZE are wrong: all of them are too deep, however large the number")
-
-static const Known *const known_of_levels[] = {
-    &one_short,   &one_too_many,   &half,       &levels_inverted, &all_levels, &no_level,
-    &only_last,   &nodes_of_level, &cut_u8,     &cut_i8,          &cut_u16,    &cut_i16,
-    &other_limit, &too_few,        &far_beyond, &not_equal};
+    ANSWERS(cut_u8, (uint8_t)in <= TODO_SIZE, LEVEL_CUT);
+    ANSWERS(cut_i8, (int8_t)in <= TODO_SIZE, LEVEL_CUT);
+    ANSWERS(cut_u16, (uint16_t)in <= TODO_SIZE, LEVEL_CUT);
+    ANSWERS(cut_i16, (int16_t)in <= TODO_SIZE, LEVEL_CUT);
+    // Of which of the others it is.
+    ONLY(other_limit, last != TODO_SIZE && is_limit(job, answers, last),
+         "levels are compared with another number than TODO_SIZE");
+    ONLY(too_few, in <= TODO_SIZE, "levels are refused though as many nodes as they let wait fit");
+    ONLY(far_beyond, in > TODO_SIZE,
+         "only levels beyond TODO_SIZE are wrong: all of them are too deep, however large the "
+         "number");
+    return NO_MORE;
+}
 
 static char *describe_level(const void *job, int i, const void *answers)
 {

@@ -49,9 +49,6 @@ static int holds_corner(SphereBoxJob in, int is_farthest)
     return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
 
-ANSWERS(by_signed_root, sqrt(D2) <= RADIUS,
-        "a negative radius counts as its absolute value; and the root is rounded: compare squares")
-
 static double to_middle(double value, float min, float max)
 {
     return value - ((double)min + max) / 2;
@@ -64,19 +61,6 @@ static int holds_middle(SphereBoxJob in)
                  z = to_middle(in.sphere.z, in.box.min[2], in.box.max[2]);
     return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
-
-ANSWERS(by_middle, holds_middle(in),
-        "your answers are those of the cell's middle, and another point may be nearer")
-EACH(cube, IS_OF_BOX, "the sphere's bounding cube overlaps, the sphere does not")
-ONLY(cell_within, !found && holds_corner(in, 1),
-     "a cell that lies within the sphere overlaps it, too: both have their insides")
-ONLY(centre_within, !found && reach_furthest(reach) == 0,
-     "a sphere whose centre is in the cell overlaps it")
-ONLY(no_corner, !found && !holds_corner(in, 0),
-     "what is missed holds no corner of the cell: a sphere may come in through a side or over an "
-     "edge")
-ONLY(reaches_in, !found && reach_furthest(reach) > 0,
-     "its centre is outside but the sphere reaches in")
 
 // How far outside() says it is: below the minimum a negative number.
 static double signed_outside(double coordinate, double min, double max)
@@ -111,11 +95,6 @@ static int reaches_with(SphereBoxJob in, int way, int is_own)
     return is_one ? distance2 <= (double)in.sphere.radius * in.sphere.radius : -1;
 }
 
-ANY(other_axis, N_OTHER_NUMBERS, IS_FOUND(reaches_with(in, way, 0)),
-    "on one axis numbers of another were taken: is a copied line changed all through?")
-ANY(other_order, N_OTHER_NUMBERS, IS_FOUND(reaches_with(in, way, 1)),
-    "on one axis outside() is not given the coordinate, the minimum and the maximum, in this order")
-
 // In the sum one square is another term: one axis' distance times another's, itself, or its size;
 // or squares are taken off.
 static double sum_with(SphereBoxJob in, int way, double (*term)(const double d[3], int, int))
@@ -147,13 +126,6 @@ static double taken_off(const double d[3], int axis, int way)
     return way >> axis & 1 ? -d[axis] * d[axis] : d[axis] * d[axis];
 }
 
-#define SUM_IS_WITHIN(term) IS_FOUND(sum_with(in, way, term) <= RADIUS * RADIUS)
-ANY(product, 6, SUM_IS_WITHIN(times_other),
-    "the distance on one axis is multiplied by that on another: each is squared")
-ANY(unsquared, 15, SUM_IS_WITHIN(not_squared), "not the squares of all three distances are added")
-ANY(subtracted, 8, SUM_IS_WITHIN(taken_off),
-    "a square was subtracted: the squares of all three distances add up")
-
 // The lowest or the highest corner in the place of the nearest point.
 static int reaches(SphereBoxJob in, const float corner[3])
 {
@@ -161,12 +133,6 @@ static int reaches(SphereBoxJob in, const float corner[3])
                  z = (double)in.sphere.z - corner[2];
     return x * x + y * y + z * z <= (double)in.sphere.radius * in.sphere.radius;
 }
-
-#define ONE_CORNER                                                                                 \
-    "your answers are those of the distance to one corner of the cell: outside() takes the "       \
-    "minimum first, then the maximum"
-ANSWERS(to_lowest, reaches(in, in.box.min), ONE_CORNER)
-ANSWERS(to_highest, reaches(in, in.box.max), ONE_CORNER)
 
 static int is_signed_cube(SphereBoxJob in, double radius)
 {
@@ -178,67 +144,81 @@ static int is_signed_cube(SphereBoxJob in, double radius)
     return n_near == 3;
 }
 
-#define OUTSIDE(axis) reach.outside[axis]
+KNOWN_LIST(known_of_overlap)
+{
+    GIVEN;
+    const double *outside = reach.outside;
+    const double radius = reach.radius, radius2 = radius * radius, distance2 = reach_squared(reach);
+
+    ANSWERS(
+        by_signed_root, sqrt(distance2) <= radius,
+        "a negative radius counts as its absolute value; and the root is rounded: compare squares");
+
+    ANSWERS(by_middle, holds_middle(in),
+            "your answers are those of the cell's middle, and another point may be nearer");
+    EACH(cube, is_of_box(reach, found != 0),
+         "the sphere's bounding cube overlaps, the sphere does not");
+    ONLY(cell_within, !found && holds_corner(in, 1),
+         "a cell that lies within the sphere overlaps it, too: both have their insides");
+    ONLY(centre_within, !found && reach_furthest(reach) == 0,
+         "a sphere whose centre is in the cell overlaps it");
+    ONLY(no_corner, !found && !holds_corner(in, 0),
+         "what is missed holds no corner of the cell: a sphere may come in through a side or over "
+         "an edge");
+    ONLY(reaches_in, !found && reach_furthest(reach) > 0,
+         "its centre is outside but the sphere reaches in");
+
+    ANY(other_axis, N_OTHER_NUMBERS, IS_FOUND(reaches_with(in, way, 0)),
+        "on one axis numbers of another were taken: is a copied line changed all through?");
+    ANY(other_order, N_OTHER_NUMBERS, IS_FOUND(reaches_with(in, way, 1)),
+        "on one axis outside() is not given the coordinate, the minimum and the maximum, in this "
+        "order");
+    ANY(product, 6, IS_FOUND(sum_with(in, way, times_other) <= radius2),
+        "the distance on one axis is multiplied by that on another: each is squared");
+    ANY(unsquared, 15, IS_FOUND(sum_with(in, way, not_squared) <= radius2),
+        "not the squares of all three distances are added");
+    ANY(subtracted, 8, IS_FOUND(sum_with(in, way, taken_off) <= radius2),
+        "a square was subtracted: the squares of all three distances add up");
+
+#define ONE_CORNER                                                                                 \
+    "your answers are those of the distance to one corner of the cell: outside() takes the "       \
+    "minimum first, then the maximum"
+    ANSWERS(to_lowest, reaches(in, in.box.min), ONE_CORNER);
+    ANSWERS(to_highest, reaches(in, in.box.max), ONE_CORNER);
 #define SIGNED_CUBE                                                                                \
     "each axis was compared by itself, and below the minimum outside() is negative: the squares "  \
     "of all three add up"
-ANSWERS(signed_cube, is_signed_cube(in, RADIUS), SIGNED_CUBE)
-ANSWERS(signed_cube_of_size, is_signed_cube(in, fabs(RADIUS)), SIGNED_CUBE)
-EACH(cube_of_signed, RADIUS < 0 ? !found || reach_furthest(reach) == 0 : IS_OF_BOX,
-     "the sphere's bounding cube overlaps, the sphere does not; and a negative radius counts as "
-     "its absolute value")
-ANSWERS(any_axis, fmin(OUTSIDE(0), fmin(OUTSIDE(1), OUTSIDE(2))) <= fabs(RADIUS),
-        "near on one axis is not near: the squares of all three distances add up")
-ANSWERS(level_on_any, OUTSIDE(0) * OUTSIDE(1) * OUTSIDE(2) == 0 || D2 <= RADIUS * RADIUS,
-        "level with the cell on one axis, the centre may be far on the others: all three count")
+    ANSWERS(signed_cube, is_signed_cube(in, radius), SIGNED_CUBE);
+    ANSWERS(signed_cube_of_size, is_signed_cube(in, fabs(radius)), SIGNED_CUBE);
+    EACH(cube_of_signed,
+         radius < 0 ? !found || reach_furthest(reach) == 0 : is_of_box(reach, found != 0),
+         "the sphere's bounding cube overlaps, the sphere does not; and a negative radius counts "
+         "as its absolute value");
+    ANSWERS(any_axis, fmin(outside[0], fmin(outside[1], outside[2])) <= fabs(radius),
+            "near on one axis is not near: the squares of all three distances add up");
+    ANSWERS(
+        level_on_any, outside[0] * outside[1] * outside[2] == 0 || distance2 <= radius2,
+        "level with the cell on one axis, the centre may be far on the others: all three count");
 
-ANSWERS(by_signed_root_strict, sqrt(D2) < RADIUS,
-        "touching counts, and a negative radius as its absolute value: compare the squares")
-ANSWERS(by_root_strict, sqrt(D2) < fabs(RADIUS),
-        "touching counts, and a root is rounded: compare the squares", MISTAKE_STRICT_BOUNDARY)
-ANSWERS(signed_radius, D2 <= RADIUS * fabs(RADIUS),
-        "a negative radius counts as its absolute value")
-ANSWERS(no_negative, RADIUS >= 0 && D2 <= RADIUS * RADIUS,
-        "a negative radius counts as its absolute value")
-ANSWERS(no_radius, RADIUS > 0 && D2 <= RADIUS * RADIUS,
-        "a negative radius counts as its absolute value, and a sphere of radius 0 is a point")
-ANSWERS(doubled, D2 <= 4 * RADIUS * RADIUS, "the radius was doubled: it is no diameter")
-ANSWERS(halved, 4 * D2 <= RADIUS * RADIUS, "the radius was halved: it is no diameter")
-ANSWERS(squared_again, D2 *D2 <= RADIUS * RADIUS, "the sum of the squares was squared again")
-ANY(inverted, 2, IS_FOUND(way ? D2 >= RADIUS *RADIUS : D2 > RADIUS * RADIUS),
-    "1 and 0 are swapped: 1 where they overlap")
-ANSWERS(always, 1, "every sphere overlaps every cell then: each leaf lists them all")
-
-static const Known *const known_of_overlap[] = {&by_signed_root,
-                                                &by_middle,
-                                                &cube,
-                                                OVERLAP_KNOWN,
-                                                &cell_within,
-                                                &centre_within,
-                                                &no_corner,
-                                                &reaches_in,
-                                                &to_lowest,
-                                                &to_highest,
-                                                &by_signed_root_strict,
-                                                &by_root_strict,
-                                                &signed_radius,
-                                                &no_negative,
-                                                &no_radius,
-                                                &doubled,
-                                                &halved,
-                                                &squared_again,
-                                                &inverted,
-                                                &always,
-                                                &signed_cube,
-                                                &signed_cube_of_size,
-                                                &cube_of_signed,
-                                                &any_axis,
-                                                &level_on_any,
-                                                &other_axis,
-                                                &other_order,
-                                                &product,
-                                                &unsquared,
-                                                &subtracted};
+    ANSWERS(by_signed_root_strict, sqrt(distance2) < radius,
+            "touching counts, and a negative radius as its absolute value: compare the squares");
+    ANSWERS(by_root_strict, sqrt(distance2) < fabs(radius),
+            "touching counts, and a root is rounded: compare the squares", MISTAKE_STRICT_BOUNDARY);
+    ANSWERS(signed_radius, distance2 <= radius * fabs(radius),
+            "a negative radius counts as its absolute value");
+    ANSWERS(no_negative, radius >= 0 && distance2 <= radius2,
+            "a negative radius counts as its absolute value");
+    ANSWERS(no_radius, radius > 0 && distance2 <= radius2,
+            "a negative radius counts as its absolute value, and a sphere of radius 0 is a point");
+    ANSWERS(doubled, distance2 <= 4 * radius2, "the radius was doubled: it is no diameter");
+    ANSWERS(halved, 4 * distance2 <= radius2, "the radius was halved: it is no diameter");
+    ANSWERS(squared_again, distance2 * distance2 <= radius2,
+            "the sum of the squares was squared again");
+    ANY(inverted, 2, IS_FOUND(way ? distance2 >= radius2 : distance2 > radius2),
+        "1 and 0 are swapped: 1 where they overlap");
+    ANSWERS(always, 1, "every sphere overlaps every cell then: each leaf lists them all");
+    return NO_MORE;
+}
 
 static char *describe_overlap(const void *job, int i, const void *answers)
 {
@@ -248,6 +228,7 @@ static char *describe_overlap(const void *job, int i, const void *answers)
                        tree3d_judge_sphere(in.sphere, in.box) == SPHERE_INSIDE);
 }
 
-const Function overlap_06 = {"overlaps", N_OVERLAPS, sizeof(i32),
-                             KNOWING(is_right_overlap, describe_overlap, known_of_overlap),
-                             .knows_constant = 1};
+const Function overlap_06 = {
+    "overlaps", N_OVERLAPS, sizeof(i32),
+    KNOWING(is_right_overlap, describe_overlap, overlap_known, known_of_overlap),
+    .knows_constant = 1};

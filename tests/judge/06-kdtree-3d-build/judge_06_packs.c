@@ -40,35 +40,6 @@ static char *describe_node(const void *job, int i, const void *answers)
 
 RIGHT(is_right_node, facts_are_none(describe_node(job, i, answers)))
 
-#define BEFORE (in[-1])  // the leaf of the call before, which was in another tree
-
-EACH(end_kept, i == 0 || found.first == out[-1].nodes[BEFORE.id].first + BEFORE.n_ids,
-     "the end was kept from the tree before: it is tree->n_sphere_ids")
-EACH(first_behind, found.first == in->n_before + in->n_ids,
-     "it was taken after the end had moved: that is behind the leaf's ids")
-EACH(first_in_bytes, found.first == in->n_before * sizeof(u32),
-     "it is counted in ids, not in bytes")
-EACH(empty_from_0, found.first == (in->n_ids > 0 ? in->n_before : 0),
-     "an empty leaf's range begins where the array ends, too")
-EACH(count_is_end, found.n_spheres == in->n_before + in->n_ids,
-     "that is where the range ends, not how many spheres are in it")
-EACH(counted_up, found.n_spheres == UNTOUCHED + in->n_ids,
-     "it was counted up from what the node held before")
-EACH(count_of_8_bits, found.n_spheres == (in->n_ids & 0xff), "that is what 8 bits hold of it")
-
-EACH(by_id, found.first == in->id,
-     "that is the leaf's own id: its range begins where the array of ids ends")
-EACH(one_behind, found.first == in->n_before + 1,
-     "that is one place too far: n_sphere_ids, before it moves, is the first free place")
-EACH(first_unset, found.first == UNTOUCHED && found.n_spheres == in->n_ids, "first is not set")
-EACH(n_unset, found.n_spheres == UNTOUCHED && found.first == in->n_before, "n_spheres is not set")
-EACH(swapped, found.first == in->n_ids && found.n_spheres == in->n_before,
-     "first and n_spheres are swapped")
-EACH(first_is_id, in->n_ids == 0 || found.first == in->ids[0],
-     "that is the leaf's first id: its place in sphere_ids is asked for")
-EACH(first_is_last, in->n_ids == 0 || found.first == in->n_before + in->n_ids - 1,
-     "that is where the leaf's last id is: its range begins where the first one is")
-
 static int is_untouched(KdNode3 node)
 {
     return node.split_axis == PACK_SPLIT_AXIS && node.first == UNTOUCHED &&
@@ -84,21 +55,50 @@ static int n_touched(const PackAnswer3D *out)
     return n;
 }
 
-EACH(copy, n_touched(out) == 0, "no node of the tree changed: was a copy of it filled in?")
-ONLY(other_node, is_untouched(found) && n_touched(out) > 0,
-     "another node than nodes[id] was filled in")
-EACH(unmarked, found.split_axis == PACK_SPLIT_AXIS && !is_untouched(found),
-     "split_axis is not set: KD_LEAF marks a leaf")
-ONLY(empty_left_out, in->n_ids == 0,
-     "only empty leaves are wrong: they are packed as all others, with a range of 0 ids")
-ONLY(first_at_0, found.split_axis == KD_LEAF && found.first == 0,
-     "each range begins at 0: it begins where the array of ids ends, at n_sphere_ids")
+KNOWN_LIST(known_of_node)
+{
+    GIVEN;
 
-static const Known *const known_of_node[] = {
-    &end_kept,    &first_behind,    &first_in_bytes, &empty_from_0,  &count_is_end,
-    &counted_up,  &count_of_8_bits, &by_id,          &one_behind,    &swapped,
-    &first_is_id, &empty_left_out,  &first_at_0,     &first_is_last, &copy,
-    &other_node,  &unmarked,        &first_unset,    &n_unset};
+    // Of the call before, which was in another tree.
+    EACH(end_kept, i == 0 || found.first == out[-1].nodes[in[-1].id].first + in[-1].n_ids,
+         "the end was kept from the tree before: it is tree->n_sphere_ids");
+    EACH(first_behind, found.first == in->n_before + in->n_ids,
+         "it was taken after the end had moved: that is behind the leaf's ids");
+    EACH(first_in_bytes, found.first == in->n_before * sizeof(u32),
+         "it is counted in ids, not in bytes");
+    EACH(empty_from_0, found.first == (in->n_ids > 0 ? in->n_before : 0),
+         "an empty leaf's range begins where the array ends, too");
+    EACH(count_is_end, found.n_spheres == in->n_before + in->n_ids,
+         "that is where the range ends, not how many spheres are in it");
+    EACH(counted_up, found.n_spheres == UNTOUCHED + in->n_ids,
+         "it was counted up from what the node held before");
+    EACH(count_of_8_bits, found.n_spheres == (in->n_ids & 0xff), "that is what 8 bits hold of it");
+
+    EACH(by_id, found.first == in->id,
+         "that is the leaf's own id: its range begins where the array of ids ends");
+    EACH(one_behind, found.first == in->n_before + 1,
+         "that is one place too far: n_sphere_ids, before it moves, is the first free place");
+    EACH(first_unset, found.first == UNTOUCHED && found.n_spheres == in->n_ids, "first is not set");
+    EACH(n_unset, found.n_spheres == UNTOUCHED && found.first == in->n_before,
+         "n_spheres is not set");
+    EACH(swapped, found.first == in->n_ids && found.n_spheres == in->n_before,
+         "first and n_spheres are swapped");
+    EACH(first_is_id, in->n_ids == 0 || found.first == in->ids[0],
+         "that is the leaf's first id: its place in sphere_ids is asked for");
+    EACH(first_is_last, in->n_ids == 0 || found.first == in->n_before + in->n_ids - 1,
+         "that is where the leaf's last id is: its range begins where the first one is");
+
+    EACH(copy, n_touched(out) == 0, "no node of the tree changed: was a copy of it filled in?");
+    ONLY(empty_left_out, in->n_ids == 0,
+         "only empty leaves are wrong: they are packed as all others, with a range of 0 ids");
+    EACH(unmarked, found.split_axis == PACK_SPLIT_AXIS && !is_untouched(found),
+         "split_axis is not set: KD_LEAF marks a leaf");
+    ONLY(first_at_0, found.split_axis == KD_LEAF && found.first == 0,
+         "each range begins at 0: it begins where the array of ids ends, at n_sphere_ids");
+    ONLY(other_node, is_untouched(found) && n_touched(out) > 0,
+         "another node than nodes[id] was filled in");
+    return NO_MORE;
+}
 
 const Function pack_node_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
                                KNOWING(is_right_node, describe_node, known_of_node),
@@ -173,13 +173,6 @@ static int has_count_first(const PackJob *in, const u32 *list)
     return in->n_ids == 0 || (i == in->n_ids && list[0] == in->n_ids);
 }
 
-EACH(count_first, has_count_first(in, list),
-     "a count stands before the ids, as in lab 02: here it is in the node only")
-ONLY(in_front,
-     in->n_before > 0 && in->n_ids > 0 && out->sphere_ids[0] == in->ids[0] &&
-         out->sphere_ids[in->n_ids - 1] == in->ids[in->n_ids - 1],
-     "the ids go behind those of the leaves before, not to the array's beginning")
-
 // Are the leaf's ids in the array from `first` on, and before and behind them nothing is written?
 static int stand_at(const PackJob *in, const PackAnswer3D *out, u32 first, u32 n_behind)
 {
@@ -191,8 +184,6 @@ static int stand_at(const PackJob *in, const PackAnswer3D *out, u32 first, u32 n
     }
     return fits;
 }
-
-#define IN_PLACE stand_at(in, out, in->n_before, 0)
 
 // Of all places only the first of the range is written.
 static int is_one_place(const PackJob *in, const PackAnswer3D *out)
@@ -214,25 +205,6 @@ static int are_only(const PackJob *in, const u32 *list, u32 from, u32 to)
     return k >= to && (in->n_ids == 0 || list[in->n_ids - 1] == UNTOUCHED);
 }
 
-EACH(first_missing, are_only(in, list, 1, in->n_ids), "the leaf's first id is missing")
-EACH(last_missing, are_only(in, list, 0, in->n_ids - (in->n_ids > 0)),
-     "the leaf's last id is missing")
-EACH(one_more, stand_at(in, out, in->n_before, 1),
-     "one id too many is written, behind the leaf's range")
-EACH(one_place_on, stand_at(in, out, in->n_before + 1, 0),
-     "the ids are one place too far: n_sphere_ids, before it moves, is the first free place")
-EACH(at_id, stand_at(in, out, in->id, 0),
-     "the ids begin at the leaf's own id: they go where the array of ids ends")
-EACH(end_stays, IN_PLACE && out->n_sphere_ids == in->n_before,
-     "n_sphere_ids is not moved: the next leaf's ids go where these are")
-EACH(end_one_on, IN_PLACE && out->n_sphere_ids == in->n_before + 1,
-     "n_sphere_ids moves by one for each leaf: it moves by the number of its ids")
-EACH(end_one_too_far, IN_PLACE && out->n_sphere_ids == in->n_before + in->n_ids + 1,
-     "n_sphere_ids moves by one too many: here no place is needed for the count")
-EACH(end_is_count, IN_PLACE && out->n_sphere_ids == in->n_ids,
-     "n_sphere_ids counts this leaf only: it moves behind the ids of all leaves so far")
-EACH(end_twice, IN_PLACE && out->n_sphere_ids == in->n_before + 2 * in->n_ids,
-     "n_sphere_ids moves twice: by the number of the leaf's ids, once")
 // A loop from the range's begin to before n_ids.
 static int is_to_count(const PackJob *in, const PackAnswer3D *out)
 {
@@ -253,22 +225,51 @@ static int lists_sphere_0(const PackJob *in)
     return i < in->n_ids;
 }
 
-EACH(to_count, is_to_count(in, out),
-     "n_ids was taken for the end of the range: it is how many ids there are")
-ONLY(sphere_0, lists_sphere_0(in),
-     "only leaves that list sphere 0 are wrong: 0 is an id as any other")
-ONLY(one_place, in->n_ids > 0 && is_one_place(in, out),
-     "all ids are written to one place: each goes behind the one before it")
-ONLY(split_pos_set, IN_PLACE &&found.split_pos != PACK_SPLIT_POS,
-     "split_pos is set, too: of the node's fields the three others change")
-EACH(unwritten, stand_at(in, out, PACK_MAP_ROOM, 0),
-     "no id is written: the leaf's range is in the array, and stays free")
+KNOWN_LIST(known_of_ids)
+{
+    GIVEN;
+    const int is_in_place = stand_at(in, out, in->n_before, 0);
 
-static const Known *const known_of_ids[] = {
-    &count_first,   PACKED_KNOWN, &in_front,        &one_more,     &one_place_on,  &at_id,
-    &end_stays,     &end_one_on,  &end_one_too_far, &end_is_count, &end_twice,     &one_place,
-    &split_pos_set, &unwritten,   &to_count,        &sphere_0,     &first_missing, &last_missing};
+    EACH(count_first, has_count_first(in, list),
+         "a count stands before the ids, as in lab 02: here it is in the node only");
+    ONLY(in_front,
+         in->n_before > 0 && in->n_ids > 0 && out->sphere_ids[0] == in->ids[0] &&
+             out->sphere_ids[in->n_ids - 1] == in->ids[in->n_ids - 1],
+         "the ids go behind those of the leaves before, not to the array's beginning");
+
+    EACH(first_missing, are_only(in, list, 1, in->n_ids), "the leaf's first id is missing");
+    EACH(last_missing, are_only(in, list, 0, in->n_ids - (in->n_ids > 0)),
+         "the leaf's last id is missing");
+    EACH(one_more, stand_at(in, out, in->n_before, 1),
+         "one id too many is written, behind the leaf's range");
+    EACH(one_place_on, stand_at(in, out, in->n_before + 1, 0),
+         "the ids are one place too far: n_sphere_ids, before it moves, is the first free place");
+    EACH(at_id, stand_at(in, out, in->id, 0),
+         "the ids begin at the leaf's own id: they go where the array of ids ends");
+    EACH(end_stays, is_in_place && out->n_sphere_ids == in->n_before,
+         "n_sphere_ids is not moved: the next leaf's ids go where these are");
+    EACH(end_one_on, is_in_place && out->n_sphere_ids == in->n_before + 1,
+         "n_sphere_ids moves by one for each leaf: it moves by the number of its ids");
+    EACH(end_one_too_far, is_in_place && out->n_sphere_ids == in->n_before + in->n_ids + 1,
+         "n_sphere_ids moves by one too many: here no place is needed for the count");
+    EACH(end_is_count, is_in_place && out->n_sphere_ids == in->n_ids,
+         "n_sphere_ids counts this leaf only: it moves behind the ids of all leaves so far");
+    EACH(end_twice, is_in_place && out->n_sphere_ids == in->n_before + 2 * in->n_ids,
+         "n_sphere_ids moves twice: by the number of the leaf's ids, once");
+
+    EACH(to_count, is_to_count(in, out),
+         "n_ids was taken for the end of the range: it is how many ids there are");
+    ONLY(one_place, in->n_ids > 0 && is_one_place(in, out),
+         "all ids are written to one place: each goes behind the one before it");
+    ONLY(split_pos_set, is_in_place && found.split_pos != PACK_SPLIT_POS,
+         "split_pos is set, too: of the node's fields the three others change");
+    ONLY(sphere_0, lists_sphere_0(in),
+         "only leaves that list sphere 0 are wrong: 0 is an id as any other");
+    EACH(unwritten, stand_at(in, out, PACK_MAP_ROOM, 0),
+         "no id is written: the leaf's range is in the array, and stays free");
+    return NO_MORE;
+}
 
 const Function pack_ids_06 = {"pack", N_PACKS, sizeof(PackAnswer3D),
-                              KNOWING(are_right_ids, describe_ids, known_of_ids),
+                              KNOWING(are_right_ids, describe_ids, known_of_ids, packed_known),
                               .counted = "leaves"};

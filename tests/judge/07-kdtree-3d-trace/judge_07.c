@@ -237,26 +237,14 @@ static const JudgeCheck checks[] = {
 };
 
 static const JobPart parts[] = {
-    PART("clips", "clip_to_box", Job07, inputs.clips),
-    PART("sides", "near_side", Job07, inputs.sides),
-    PART("planes", "children_on_ray", Job07, inputs.planes),
-    PART("leaves", "search_leaf", Job07, inputs.leaves),
-    PART("leaf_ids", "search_leaf", Job07, inputs.leaf_ids),
-    PART("leaf_spheres", "search_leaf", Job07, inputs.leaf_spheres),
-    PART("next_child", "next_child", Job07, inputs.children),
-    PART("next_waiting", "next_waiting", Job07, inputs.waiting),
-};
-
-static const ProbeStep steps[] = {
-    ON_DEVICE("clips", "clip_to_box", ClipJob),
-    ON_DEVICE("sides", "near_side", SideJob),
-    ON_DEVICE("planes", "children_on_ray", PlaneJob),
-    ON_DEVICE("leaves", "search_leaf", SearchJob),
-    ON_DEVICE("next_child", "next_child", NextChildJob),
-    {"next_waiting", "in next_waiting", "next_waiting", sizeof(NextWaitingJob), NULL,
-     suspect_waiting_07},
-    ON_SCENES("hits", "in trace", NULL),
-    ON_SCENES("picture", "in render_kdtree", NULL),
+    INPUTS("clips", "clip_to_box", Job07, inputs.clips),
+    INPUTS("sides", "near_side", Job07, inputs.sides),
+    INPUTS("planes", "children_on_ray", Job07, inputs.planes),
+    INPUTS("leaves", "search_leaf", Job07, inputs.leaves),
+    DATA("leaf_ids", "search_leaf", Job07, inputs.leaf_ids),
+    DATA("leaf_spheres", "search_leaf", Job07, inputs.leaf_spheres),
+    INPUTS("next_child", "next_child", Job07, inputs.children),
+    INPUTS("next_waiting", "next_waiting", Job07, inputs.waiting, .suspect = suspect_waiting_07),
 };
 
 const Judge judge_07 = {
@@ -268,6 +256,5 @@ const Judge judge_07 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job07, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"hits", "in trace", NULL}, {"picture", "in render_kdtree", NULL}},
 };

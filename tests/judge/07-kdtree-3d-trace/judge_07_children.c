@@ -151,10 +151,7 @@ static NextChildAnswer child(const NextChildJob *in, Met met)
     return visited(in, met, parts_of(in, met));
 }
 
-#define MET met_by(job, in)
-#define PARTS parts_of(in, MET)
-
-RIGHT(is_right, IS_FOUND(child(in, MET)))
+RIGHT(is_right, IS_FOUND(child(in, met_by(job, in))))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
@@ -175,21 +172,8 @@ static Met without_points(const NextChildJob *in, Met met)
 
 static NextChildAnswer from_side(const Job *job, const NextChildJob *in, u32 side)
 {
-    return child(in, (Met){side, MET.children, MET.t_split});
+    return child(in, (Met){side, met_by(job, in).children, met_by(job, in).t_split});
 }
-
-ANSWERS(swapped, from_side(job, in, !MET.side), "that is as if near and far child were swapped")
-ANSWERS(by_direction, from_side(job, in, in->inverse < 0),
-        "that is as if the direction decided which child is near: the eye's side does, which "
-        "near_side() tells")
-ANSWERS(lower_is_near, from_side(job, in, 0),
-        "the lower child was taken for the near one, wherever the eye is")
-ANSWERS(far_is_near, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_ONLY_NEAR)),
-        "that is as if the search went to the near child where only the far one is met")
-ANSWERS(never_skipped, child(in, with_other(MET, PLANE_ONLY_FAR, PLANE_BOTH)),
-        "that is as if the near child were visited also where only the far one is met")
-ANSWERS(no_points, child(in, without_points(in, MET)),
-        "a part that is a point was left out: BOTH is both, and hits on the plane are in either")
 
 // By what waits, and which parts they have.
 static Parts swapped_if_both(Met met, Parts parts)
@@ -221,46 +205,12 @@ static NextChildAnswer going_to(NextChildAnswer answer, u32 node)
 static int waits_always(const Job *job, const NextChildJob *in, const NextChildAnswer *found)
 {
     const u32 top = in->todo.n - in->todo.n_lower;
-    return MET.children == PLANE_ONLY_NEAR
-               ? found->todo.n == in->todo.n + 1 && found->next.node == PARTS.near.node &&
-                     found->todo.upper[top].node == PARTS.far.node
-               : IS_FOUND(child(in, MET));
+    return met_by(job, in).children == PLANE_ONLY_NEAR
+               ? found->todo.n == in->todo.n + 1 &&
+                     found->next.node == parts_of(in, met_by(job, in)).near.node &&
+                     found->todo.upper[top].node == parts_of(in, met_by(job, in)).far.node
+               : IS_FOUND(child(in, met_by(job, in)));
 }
-
-ANSWERS(far_dropped, ((NextChildAnswer){child(in, MET).next, in->todo}),
-        "that is as if the far child were never visited where both are met: it does not wait",
-        MISTAKE_FAR_CHILD)
-ANSWERS(near_waits, visited(in, MET, swapped_if_both(MET, PARTS)),
-        "the near child waits, and the far one is visited first")
-ANSWERS(parts_swapped,
-        visited(in, MET,
-                (Parts){{PARTS.near.node, PARTS.far.t_min, PARTS.far.t_max},
-                        {PARTS.far.node, PARTS.near.t_min, PARTS.near.t_max}}),
-        "the two parts are swapped: the near child has the one up to t_split, the far child the "
-        "one from there on")
-ANSWERS(keeps_t_max, visited(in, MET, with_ends(PARTS, in->t_max, PARTS.far.t_min)),
-        "that is as if t_max did not become t_split for the near child")
-ANSWERS(keeps_t_min, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, in->t_min)),
-        "that is as if t_min did not become t_split for the far child, which begins at t_split")
-EACH(always_waits, waits_always(job, in, found),
-     "that is as if the far child waited also where only the near one is met")
-ANSWERS(is_side, visited(in, MET, with_ids(PARTS, MET.side, !MET.side)),
-        "0 and 1 are sides: the children's ids are node.first and node.first + 1")
-ANSWERS(goes_to_side, going_to(child(in, MET), child(in, MET).next.node - in->node.first),
-        "that is a side and no id: the children's ids are node.first and node.first + 1")
-ANSWERS(by_bit, visited(in, MET, with_ids(PARTS, PARTS.near.node, PARTS.near.node ^ 1)),
-        "the other child's id is not the near one's with its lowest bit turned: node.first may be "
-        "odd")
-ANSWERS(near_cut,
-        visited(in, MET, with_ends(PARTS, fminf(PARTS.near.t_max, MET.t_split), PARTS.far.t_min)),
-        "where only the near child is met the part stays as it is: t_split is not in it")
-ANSWERS(far_cut, visited(in, MET, with_ends(PARTS, PARTS.near.t_max, MET.t_split)),
-        "where only the far child is met the part stays as it is: t_split is before it")
-
-ANSWERS(both_cut, visited(in, MET, with_ends(PARTS, MET.t_split, MET.t_split)),
-        "where only one child is met the part stays as it is: it is cut where both are")
-ANSWERS(near_cut_any, visited(in, MET, with_ends(PARTS, MET.t_split, PARTS.far.t_min)),
-        "where only the near child is met the part stays as it is: t_split is not in it")
 
 // What is added to node.first: for the near child `side`, for the far one the other of 0 and 1.
 static u32 child_by(const NextChildJob *in, u32 added, int way)
@@ -268,13 +218,6 @@ static u32 child_by(const NextChildJob *in, u32 added, int way)
     const u32 by[] = {added, !added, 0, 1, 2 * added, -added};
     return in->node.first + by[way];
 }
-
-ANY(one_child, 36,
-    IS_FOUND(visited(in, MET,
-                     with_ids(PARTS, child_by(in, MET.side, way % 6),
-                              child_by(in, !MET.side, way / 6)))),
-    "near and far child are not the two: the near one is on the side that near_side() tells, the "
-    "far one is the other")
 
 // A part that is another: of t_min, t_max and t_split two, of one child or the other.
 static float end_of(const NextChildJob *in, float t_split, int k)
@@ -294,19 +237,6 @@ static Parts part_by(const NextChildJob *in, Met met, int is_asked, int is_far, 
     }
     return parts;
 }
-
-#define PART_BY(asked, is_far)                                                                     \
-    IS_FOUND(visited(in, MET, part_by(in, MET, MET.children == (asked), is_far, way)))
-#define BOTH_PARTS                                                                                 \
-    "where both children are met the near one gets the part from t_min to t_split, the far one "   \
-    "that from t_split to t_max: child or part is another"
-ANY(near_part, N_PARTS, PART_BY(PLANE_BOTH, 0), BOTH_PARTS)
-ANY(far_part, N_PARTS, PART_BY(PLANE_BOTH, 1), BOTH_PARTS)
-#define WHOLE_PART                                                                                 \
-    "where only one child is met it gets the whole part, from t_min to t_max: child or part is "   \
-    "another"
-ANY(only_near_part, N_PARTS, PART_BY(PLANE_ONLY_NEAR, 0), WHOLE_PART)
-ANY(only_far_part, N_PARTS, PART_BY(PLANE_ONLY_FAR, 1), WHOLE_PART)
 
 // The arguments in another order: two neighbours have changed places.
 static NextChildJob reordered(const NextChildJob *in, int way)
@@ -334,12 +264,6 @@ static Met with_children_of(const Job *job, const NextChildJob *in, NextChildJob
     return met;
 }
 
-ANSWERS(side_reordered, child(in, with_side_of(job, in, reordered(in, 0))),
-        "the arguments of near_side() are in another order: the node, origin, inverse")
-ANY(children_reordered, 3, IS_FOUND(child(in, with_children_of(job, in, reordered(in, way)))),
-    "the arguments of children_on_ray() are in another order: the node, origin, inverse, t_min, "
-    "t_max")
-
 // Take the expected number for one a hair beside it.
 static TodoEntry without_hair(TodoEntry found, TodoEntry expected)
 {
@@ -357,27 +281,110 @@ static int is_hair_beside(NextChildAnswer found, NextChildAnswer expected)
     return same_child(found, expected);
 }
 
-ONLY(hair, is_hair_beside(*found, child(in, MET)),
-     "only the ends of the parts are wrong, by a hair: no epsilon is needed")
-ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, child(in, MET)),
-     "only where one place is left on the stack is it wrong: that is enough, as the near child "
-     "takes none")
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const Met met = met_by(job, in);
+    const Parts parts = parts_of(in, met);
+    const NextChildAnswer right = child(in, met);
 
-static const Known *const known[] = {
-    &swapped,        &by_direction,  &lower_is_near,  &far_is_near,
-    &never_skipped,  &no_points,     &far_dropped,    &near_waits,
-    &parts_swapped,  &keeps_t_max,   &keeps_t_min,    &always_waits,
-    &is_side,        &goes_to_side,  &by_bit,         &near_cut,
-    &far_cut,        &hair,          &last_place,     &both_cut,
-    &near_cut_any,   &one_child,     &near_part,      &far_part,
-    &only_near_part, &only_far_part, &side_reordered, &children_reordered};
+    ANSWERS(swapped, from_side(job, in, !met.side),
+            "that is as if near and far child were swapped");
+    ANSWERS(by_direction, from_side(job, in, in->inverse < 0),
+            "that is as if the direction decided which child is near: the eye's side does, which "
+            "near_side() tells");
+    ANSWERS(lower_is_near, from_side(job, in, 0),
+            "the lower child was taken for the near one, wherever the eye is");
+    ANSWERS(far_is_near, child(in, with_other(met, PLANE_ONLY_FAR, PLANE_ONLY_NEAR)),
+            "that is as if the search went to the near child where only the far one is met");
+    ANSWERS(never_skipped, child(in, with_other(met, PLANE_ONLY_FAR, PLANE_BOTH)),
+            "that is as if the near child were visited also where only the far one is met");
+    ANSWERS(
+        no_points, child(in, without_points(in, met)),
+        "a part that is a point was left out: BOTH is both, and hits on the plane are in either");
+
+    ANSWERS(far_dropped, ((NextChildAnswer){right.next, in->todo}),
+            "that is as if the far child were never visited where both are met: it does not wait",
+            MISTAKE_FAR_CHILD);
+    ANSWERS(near_waits, visited(in, met, swapped_if_both(met, parts)),
+            "the near child waits, and the far one is visited first");
+    ANSWERS(parts_swapped,
+            visited(in, met,
+                    (Parts){{parts.near.node, parts.far.t_min, parts.far.t_max},
+                            {parts.far.node, parts.near.t_min, parts.near.t_max}}),
+            "the two parts are swapped: the near child has the one up to t_split, the far child "
+            "the one from there on");
+    ANSWERS(keeps_t_max, visited(in, met, with_ends(parts, in->t_max, parts.far.t_min)),
+            "that is as if t_max did not become t_split for the near child");
+    ANSWERS(
+        keeps_t_min, visited(in, met, with_ends(parts, parts.near.t_max, in->t_min)),
+        "that is as if t_min did not become t_split for the far child, which begins at t_split");
+    EACH(always_waits, waits_always(job, in, found),
+         "that is as if the far child waited also where only the near one is met");
+    ANSWERS(is_side, visited(in, met, with_ids(parts, met.side, !met.side)),
+            "0 and 1 are sides: the children's ids are node.first and node.first + 1");
+    ANSWERS(goes_to_side, going_to(right, right.next.node - in->node.first),
+            "that is a side and no id: the children's ids are node.first and node.first + 1");
+    ANSWERS(by_bit, visited(in, met, with_ids(parts, parts.near.node, parts.near.node ^ 1)),
+            "the other child's id is not the near one's with its lowest bit turned: node.first may "
+            "be odd");
+    ANSWERS(
+        near_cut,
+        visited(in, met, with_ends(parts, fminf(parts.near.t_max, met.t_split), parts.far.t_min)),
+        "where only the near child is met the part stays as it is: t_split is not in it");
+    ANSWERS(far_cut, visited(in, met, with_ends(parts, parts.near.t_max, met.t_split)),
+            "where only the far child is met the part stays as it is: t_split is before it");
+
+    ANSWERS(both_cut, visited(in, met, with_ends(parts, met.t_split, met.t_split)),
+            "where only one child is met the part stays as it is: it is cut where both are");
+    ANSWERS(near_cut_any, visited(in, met, with_ends(parts, met.t_split, parts.far.t_min)),
+            "where only the near child is met the part stays as it is: t_split is not in it");
+
+    ANY(one_child, 36,
+        IS_FOUND(visited(
+            in, met,
+            with_ids(parts, child_by(in, met.side, way % 6), child_by(in, !met.side, way / 6)))),
+        "near and far child are not the two: the near one is on the side that near_side() tells, "
+        "the far one is the other");
+#define BOTH_PARTS                                                                                 \
+    "where both children are met the near one gets the part from t_min to t_split, the far one "   \
+    "that from t_split to t_max: child or part is another"
+    ANY(near_part, N_PARTS,
+        IS_FOUND(visited(in, met, part_by(in, met, met.children == PLANE_BOTH, 0, way))),
+        BOTH_PARTS);
+    ANY(far_part, N_PARTS,
+        IS_FOUND(visited(in, met, part_by(in, met, met.children == PLANE_BOTH, 1, way))),
+        BOTH_PARTS);
+#define WHOLE_PART                                                                                 \
+    "where only one child is met it gets the whole part, from t_min to t_max: child or part is "   \
+    "another"
+    ANY(only_near_part, N_PARTS,
+        IS_FOUND(visited(in, met, part_by(in, met, met.children == PLANE_ONLY_NEAR, 0, way))),
+        WHOLE_PART);
+    ANY(only_far_part, N_PARTS,
+        IS_FOUND(visited(in, met, part_by(in, met, met.children == PLANE_ONLY_FAR, 1, way))),
+        WHOLE_PART);
+
+    ANSWERS(side_reordered, child(in, with_side_of(job, in, reordered(in, 0))),
+            "the arguments of near_side() are in another order: the node, origin, inverse");
+    ANY(children_reordered, 3, IS_FOUND(child(in, with_children_of(job, in, reordered(in, way)))),
+        "the arguments of children_on_ray() are in another order: the node, origin, inverse, "
+        "t_min, t_max");
+
+    ONLY(hair, is_hair_beside(*found, right),
+         "only the ends of the parts are wrong, by a hair: no epsilon is needed");
+    ONLY(last_place, in->todo.n + 1 == TODO_SIZE && !is_hair_beside(*found, right),
+         "only where one place is left on the stack is it wrong: that is enough, as the near child "
+         "takes none");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const NextChildAnswer expected = child(in, MET);
+    const NextChildAnswer expected = child(in, met_by(job, in));
     return message_new("children %u and %u, plane at %g, eye at %g, 1 / direction %g, part [%g, "
                        "%g]: your code goes on with %s, expected %s",
                        in->node.first, in->node.first + 1, in->node.split_pos, in->origin,

@@ -126,9 +126,7 @@ static Clip clipped(const ClipJob *in, Way way)
                   t_max};
 }
 
-#define CLIP clipped(in, (Way){0})
-
-RIGHT(is_right, IS_FOUND(CLIP))
+RIGHT(is_right, IS_FOUND(clipped(in, (Way){0})))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
@@ -141,7 +139,7 @@ static Clip with_part(ClipJob in, float t_min, float t_max)
 
 static Clip not_stored(const ClipJob *in)
 {
-    const Clip clip = CLIP;
+    const Clip clip = clipped(in, (Way){0});
     return (Clip){clip.may_meet, clip.may_miss, {in->t_min, in->t_min}, {in->t_max, in->t_max}};
 }
 
@@ -165,76 +163,10 @@ static int is_divided_by_0(ClipAnswer found)
     return found.t_min == INFINITY || found.t_max == -INFINITY;
 }
 
-ANSWERS(low_is_entry, clipped(in, (Way){.low_is_entry = 1}),
-        "that is as if every ray entered at the lower plane: with a negative direction it enters "
-        "at the upper one")
-ANSWERS(no_t_min, with_part(*in, -INFINITY, in->t_max),
-        "that is as if t_min did not count: it only grows")
-ANSWERS(no_t_max, with_part(*in, in->t_min, INFINITY),
-        "that is as if t_max did not count: it only shrinks")
-ANSWERS(no_part, with_part(*in, -INFINITY, INFINITY),
-        "that is as if neither t_min nor t_max counted: t_min only grows, and t_max only shrinks")
-ANSWERS(from_0, with_part(*in, 0, INFINITY),
-        "that is as if the part went from 0 to INFINITY: it comes in *t_min and *t_max")
-ANSWERS(first_entry, clipped(in, (Way){.first_entry = 1}),
-        "that is as if the first entry counted: the ray is inside from the last")
-ANSWERS(last_exit, clipped(in, (Way){.last_exit = 1}),
-        "that is as if the last exit counted: the ray is inside up to the first")
-ANSWERS(point_missed, clipped(in, (Way){.point_missed = 1}),
-        "where t_min and t_max are equal a point is left: that is 1")
-ANSWERS(along_ignored, clipped(in, (Way){.along_ignored = 1}),
-        "a ray along the planes of an axis is between them, or never: then it misses the box")
-ANSWERS(along_missed, clipped(in, (Way){.along_missed = 1}),
-        "a ray along the planes of an axis may be between them all the way")
-ANSWERS(along_met, clipped(in, (Way){.along_met = 1}),
-        "that is as if an axis whose planes the ray goes along decided for the whole box: the "
-        "others are to be asked, too")
-ANSWERS(always_met, clipped(in, (Way){.always_met = 1}),
-        "when t_min is beyond t_max nothing is left: that is 0")
-EACH(border_divided,
-     is_right(job, i, answers) || (!found.is_met && is_in_side(in) && is_divided_by_0(found)),
-     "0 / 0 is not a number: for a ray in the plane of a side nothing is to be divided by the "
-     "direction, it is inside")
-ANY(border_outside, 3,
-    IS_FOUND(clipped(in, (Way){.border_outside = 1 + way})) && !is_divided_by_0(found),
-    "strict where it should not be: a ray in the plane of a side is inside",
-    MISTAKE_STRICT_BOUNDARY)
-ANSWERS(unstored, not_stored(in),
-        "what is left of the ray was not stored: *t_min and *t_max are as they came")
-ANSWERS(exit_ahead, clipped(in, (Way){.exit_ahead = 1}),
-        "that is as if it were enough that the exit is ahead: where t_min is beyond t_max nothing "
-        "is left")
-ANSWERS(entry_behind, clipped(in, (Way){.entry_behind = 1}),
-        "that is as if an entry behind the eye made a miss: the eye may be between the planes, or "
-        "in the box")
-
-ANSWERS(multiplied, clipped(in, (Way){.multiplies = 1}),
-        "that is multiplied with the direction: t is the way to the plane divided by it")
-// By 0 is divided with such a mistake, or not.
-EACH(grown,
-     in->direction.x * in->direction.y * in->direction.z == 0 ||
-         IS_FOUND(clipped(in, (Way){.grows = 1, .last_exit = 1})),
-     "that is as if t_max grew: it becomes the smaller of the two, t_min the larger")
-
-#define OF_ONE_AXIS                                                                                \
-    "on every axis the number of one of them was taken: origin and direction are those of the "    \
-    "axis"
-ANSWERS(direction_of_x, clipped(in, (Way){.direction_of = 1}), OF_ONE_AXIS)
-ANSWERS(direction_of_y, clipped(in, (Way){.direction_of = 2}), OF_ONE_AXIS)
-ANSWERS(direction_of_z, clipped(in, (Way){.direction_of = 3}), OF_ONE_AXIS)
-ANSWERS(origin_of_x, clipped(in, (Way){.origin_of = 1}), OF_ONE_AXIS)
-ANSWERS(origin_of_y, clipped(in, (Way){.origin_of = 2}), OF_ONE_AXIS)
-ANSWERS(origin_of_z, clipped(in, (Way){.origin_of = 3}), OF_ONE_AXIS)
-
-// A bit for each axis; not all of them.
-ANY(skips, 6, IS_FOUND(clipped(in, (Way){.skipped = (u32)way + 1})),
-    "that is as if not all of the three axes were asked: the loop ends too soon, or begins too "
-    "late")
-ANSWERS(first_decides, clipped(in, (Way){.first_decides = 1}),
-        "that is as if the first axis decided: all three are asked before it is known what is left")
-ANY(along_other, 17, IS_FOUND(clipped(in, (Way){.along_other = 1 + way})),
-    "a ray along the planes of an axis is beside them if its origin is below the minimum or above "
-    "the maximum: something else is compared")
+static Way of_one_axis(u32 axis, int is_direction)
+{
+    return (Way){.direction_of = is_direction ? axis : 0, .origin_of = is_direction ? 0 : axis};
+}
 
 // What the loop makes of t_min or t_max on each axis: of two, the larger or the smaller.
 typedef struct Line {
@@ -309,20 +241,6 @@ static Clip with_max_line(const ClipJob *in, Line line)
     return lined(in, right_min, line, (Planes){0});
 }
 
-ANSWERS(min_overwritten, with_min_line(in, (Line){.how = 2, .of = 0}),
-        "that is as if each axis overwrote t_min: it becomes the larger of itself and the entry")
-ANSWERS(max_overwritten, with_max_line(in, (Line){.how = 2, .of = 1}),
-        "that is as if each axis overwrote t_max: it becomes the smaller of itself and the exit")
-EACH(both_overwritten,
-     IS_FOUND(lined(in, (Line){.how = 2, .of = 0}, (Line){.how = 2, .of = 1}, (Planes){0})),
-     "that is as if each axis overwrote t_min and t_max: t_min only grows, and t_max only shrinks")
-ANY(min_line, N_LINES, IS_FOUND(with_min_line(in, line_of(way))),
-    "t_min becomes the larger of itself and the axis' entry, which is the smaller of the two t: "
-    "here it becomes something else")
-ANY(max_line, N_LINES, IS_FOUND(with_max_line(in, line_of(way))),
-    "t_max becomes the smaller of itself and the axis' exit, which is the larger of the two t: "
-    "here it becomes something else")
-
 // Of one plane, or both: a formula; or one plane for the other.
 static Planes planes_of(int way)
 {
@@ -334,39 +252,118 @@ static Planes planes_of(int way)
                     .high = way % 3 == 2 ? DIVIDED : formula};
 }
 
-ANY(other_formula, 17, IS_FOUND(lined(in, right_min, right_max, planes_of(way))),
-    "t to a plane is the way from the origin to it, divided by the direction: for one of the two "
-    "planes, or both, something else is computed")
 static Clip inverted_result(const ClipJob *in)
 {
-    const Clip clip = CLIP;
+    const Clip clip = clipped(in, (Way){0});
     return (Clip){clip.t_min.high >= clip.t_max.low, clip.t_min.low < clip.t_max.high, clip.t_min,
                   clip.t_max};
 }
-EACH(inverted,
-     in->direction.x * in->direction.y * in->direction.z == 0 || IS_FOUND(inverted_result(in)),
-     "1 and 0 are swapped: something is left if t_min is at most t_max")
 
-// Of an epsilon, whose size is not known: what comes of a large one.
-ONLY(small_is_along, IS_FOUND(clipped(in, (Way){.small = HAIR})),
-     "that is as if a small direction were 0: a ray is along the planes only where it is exactly "
-     "0, without an epsilon")
-ONLY(hair_met, IS_FOUND(clipped(in, (Way){.beside = HAIR})),
-     "that is as if a box that is missed by a hair were met: compare without an epsilon")
-ONLY(hair_missed, IS_FOUND(clipped(in, (Way){.shorter = HAIR})),
-     "that is as if a part that is short were none: compare without an epsilon")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-static const Known *const known[] = {
-    &low_is_entry,    &no_t_min,         &no_t_max,       &no_part,
-    &from_0,          &first_entry,      &last_exit,      &point_missed,
-    &along_ignored,   &along_missed,     &along_met,      &always_met,
-    &skips,           &first_decides,    &along_other,    &min_overwritten,
-    &max_overwritten, &both_overwritten, &min_line,       &max_line,
-    &other_formula,   &inverted,         &border_divided, &border_outside,
-    &unstored,        &exit_ahead,       &entry_behind,   &small_is_along,
-    &hair_met,        &hair_missed,      &multiplied,     &grown,
-    &direction_of_x,  &direction_of_y,   &direction_of_z, &origin_of_x,
-    &origin_of_y,     &origin_of_z};
+    ANSWERS(low_is_entry, clipped(in, (Way){.low_is_entry = 1}),
+            "that is as if every ray entered at the lower plane: with a negative direction it "
+            "enters at the upper one");
+    ANSWERS(no_t_min, with_part(*in, -INFINITY, in->t_max),
+            "that is as if t_min did not count: it only grows");
+    ANSWERS(no_t_max, with_part(*in, in->t_min, INFINITY),
+            "that is as if t_max did not count: it only shrinks");
+    ANSWERS(
+        no_part, with_part(*in, -INFINITY, INFINITY),
+        "that is as if neither t_min nor t_max counted: t_min only grows, and t_max only shrinks");
+    ANSWERS(from_0, with_part(*in, 0, INFINITY),
+            "that is as if the part went from 0 to INFINITY: it comes in *t_min and *t_max");
+    ANSWERS(first_entry, clipped(in, (Way){.first_entry = 1}),
+            "that is as if the first entry counted: the ray is inside from the last");
+    ANSWERS(last_exit, clipped(in, (Way){.last_exit = 1}),
+            "that is as if the last exit counted: the ray is inside up to the first");
+    ANSWERS(point_missed, clipped(in, (Way){.point_missed = 1}),
+            "where t_min and t_max are equal a point is left: that is 1");
+    ANSWERS(along_ignored, clipped(in, (Way){.along_ignored = 1}),
+            "a ray along the planes of an axis is between them, or never: then it misses the box");
+    ANSWERS(along_missed, clipped(in, (Way){.along_missed = 1}),
+            "a ray along the planes of an axis may be between them all the way");
+    ANSWERS(along_met, clipped(in, (Way){.along_met = 1}),
+            "that is as if an axis whose planes the ray goes along decided for the whole box: the "
+            "others are to be asked, too");
+    ANSWERS(always_met, clipped(in, (Way){.always_met = 1}),
+            "when t_min is beyond t_max nothing is left: that is 0");
+    EACH(border_divided,
+         is_right(job, i, answers) || (!found.is_met && is_in_side(in) && is_divided_by_0(found)),
+         "0 / 0 is not a number: for a ray in the plane of a side nothing is to be divided by the "
+         "direction, it is inside");
+    ANY(border_outside, 3,
+        IS_FOUND(clipped(in, (Way){.border_outside = 1 + way})) && !is_divided_by_0(found),
+        "strict where it should not be: a ray in the plane of a side is inside",
+        MISTAKE_STRICT_BOUNDARY);
+    ANSWERS(unstored, not_stored(in),
+            "what is left of the ray was not stored: *t_min and *t_max are as they came");
+    ANSWERS(exit_ahead, clipped(in, (Way){.exit_ahead = 1}),
+            "that is as if it were enough that the exit is ahead: where t_min is beyond t_max "
+            "nothing is left");
+    ANSWERS(entry_behind, clipped(in, (Way){.entry_behind = 1}),
+            "that is as if an entry behind the eye made a miss: the eye may be between the planes, "
+            "or in the box");
+
+    ANSWERS(multiplied, clipped(in, (Way){.multiplies = 1}),
+            "that is multiplied with the direction: t is the way to the plane divided by it");
+    // By 0 is divided with such a mistake, or not.
+    EACH(grown,
+         in->direction.x * in->direction.y * in->direction.z == 0 ||
+             IS_FOUND(clipped(in, (Way){.grows = 1, .last_exit = 1})),
+         "that is as if t_max grew: it becomes the smaller of the two, t_min the larger");
+
+    ONE_OF(number_of_one_axis, 6, IS_FOUND(clipped(in, of_one_axis((u32)way % 3 + 1, way < 3))),
+           "on every axis the number of one of them was taken: origin and direction are those of "
+           "the axis");
+
+    // A bit for each axis; not all of them.
+    ANY(skips, 6, IS_FOUND(clipped(in, (Way){.skipped = (u32)way + 1})),
+        "that is as if not all of the three axes were asked: the loop ends too soon, or begins too "
+        "late");
+    ANSWERS(first_decides, clipped(in, (Way){.first_decides = 1}),
+            "that is as if the first axis decided: all three are asked before it is known what is "
+            "left");
+    ANY(along_other, 17, IS_FOUND(clipped(in, (Way){.along_other = 1 + way})),
+        "a ray along the planes of an axis is beside them if its origin is below the minimum or "
+        "above the maximum: something else is compared");
+
+    ANSWERS(
+        min_overwritten, with_min_line(in, (Line){.how = 2, .of = 0}),
+        "that is as if each axis overwrote t_min: it becomes the larger of itself and the entry");
+    ANSWERS(
+        max_overwritten, with_max_line(in, (Line){.how = 2, .of = 1}),
+        "that is as if each axis overwrote t_max: it becomes the smaller of itself and the exit");
+    EACH(both_overwritten,
+         IS_FOUND(lined(in, (Line){.how = 2, .of = 0}, (Line){.how = 2, .of = 1}, (Planes){0})),
+         "that is as if each axis overwrote t_min and t_max: t_min only grows, and t_max only "
+         "shrinks");
+    ANY(min_line, N_LINES, IS_FOUND(with_min_line(in, line_of(way))),
+        "t_min becomes the larger of itself and the axis' entry, which is the smaller of the two "
+        "t: here it becomes something else");
+    ANY(max_line, N_LINES, IS_FOUND(with_max_line(in, line_of(way))),
+        "t_max becomes the smaller of itself and the axis' exit, which is the larger of the two t: "
+        "here it becomes something else");
+
+    ANY(other_formula, 17, IS_FOUND(lined(in, right_min, right_max, planes_of(way))),
+        "t to a plane is the way from the origin to it, divided by the direction: for one of the "
+        "two planes, or both, something else is computed");
+    EACH(inverted,
+         in->direction.x * in->direction.y * in->direction.z == 0 || IS_FOUND(inverted_result(in)),
+         "1 and 0 are swapped: something is left if t_min is at most t_max");
+
+    // Of an epsilon, whose size is not known: what comes of a large one.
+    ONLY(small_is_along, IS_FOUND(clipped(in, (Way){.small = HAIR})),
+         "that is as if a small direction were 0: a ray is along the planes only where it is "
+         "exactly 0, without an epsilon");
+    ONLY(hair_met, IS_FOUND(clipped(in, (Way){.beside = HAIR})),
+         "that is as if a box that is missed by a hair were met: compare without an epsilon");
+    ONLY(hair_missed, IS_FOUND(clipped(in, (Way){.shorter = HAIR})),
+         "that is as if a part that is short were none: compare without an epsilon");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
@@ -380,7 +377,7 @@ static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
     const BBox3D box = in->box;
-    const Clip right = CLIP;
+    const Clip right = clipped(in, (Way){0});
     return message_new(
         "box from %s to %s, ray from %s along %s, part [%.9g, %.9g]: found %s, expected %s",
         words_xyz(box.min[0], box.min[1], box.min[2], 6).text,

@@ -221,24 +221,6 @@ RIGHT(is_right_sphere, hit.is_ambiguous || found.sphere == hit.sphere)
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-// What all wrong answers have to do with.
-ONLY(miss_taken, hit.sphere == ORACLE_NO_SPHERE && found.t == INFINITY,
-     "a miss was taken for a hit: its t is INFINITY, as that of no hit so far, and that is no tie")
-ONLY(longest, in->node.n_spheres == N_LONG_LEAF,
-     "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold how many "
-     "they are nor 16 bits where they stand")
-ONLY(near_eye, hit.t < HAIR,
-     "only hits very close to the eye are wrong: they count, too, without an epsilon")
-ONLY(far_away, hit.t > 1e6 && hit.t < INFINITY,
-     "only hits that are very far away are wrong: they count, too; the distance of what misses is "
-     "INFINITY")
-
-// Within a hair, what goes by ties looks the same.
-EACH(hair,
-     IS_FOUND(hit) ||
-         (found.sphere != hit.sphere && found.t != (float)hit.t && fabs(found.t - hit.t) < HAIR),
-     "of two hits a hair apart the nearer one is the nearer: compare without an epsilon")
-
 // A hit of the leaf that is nearer by less than an epsilon, and a tie, look the same then: what is
 // found is a hit, too, as far away as it says.
 static int is_hit_there(const Inputs07 *inputs, const SearchJob *in, SearchAnswer found)
@@ -254,97 +236,112 @@ static int is_hit_there(const Inputs07 *inputs, const SearchJob *in, SearchAnswe
                 (double)found.t) < HAIR / 16;
 }
 
-ONLY(by_hair,
-     found.sphere != hit.sphere && fabs(found.t - hit.t) < HAIR && is_hit_there(inputs, in, found),
-     "only hits a hair apart, or just as far away, are mistaken for one another: compare without "
-     "an epsilon, and at equal distances the lower id wins")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-// That no hit changes has many reasons.
-ANSWERS(unchanged, ((LeafHit){in->sphere, in->t, 0, 0}), NULL)
+    // What all wrong answers have to do with.
+    ONLY(miss_taken, hit.sphere == ORACLE_NO_SPHERE && found.t == INFINITY,
+         "a miss was taken for a hit: its t is INFINITY, as that of no hit so far, and that is no "
+         "tie");
+    ONLY(longest, in->node.n_spheres == N_LONG_LEAF,
+         "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold how "
+         "many they are nor 16 bits where they stand");
+    ONLY(near_eye, hit.t < HAIR,
+         "only hits very close to the eye are wrong: they count, too, without an epsilon");
+    ONLY(far_away, hit.t > 1e6 && hit.t < INFINITY,
+         "only hits that are very far away are wrong: they count, too; the distance of what misses "
+         "is INFINITY");
 
-ANSWERS(position, searched(inputs, i, (Way){.is_position = 1}),
-        "that is a position in sphere_ids, not what stands there")
-ANSWERS(sphere_kept, searched(inputs, i, (Way){.keeps_sphere = 1}), "hit->sphere is not set")
-// Each sphere that is nearer than the hit so far is then taken, up to the last.
-ANSWERS(t_kept, searched(inputs, i, (Way){.keeps_distance = 1, .rules = {.last_wins = 1}}),
-        "hit->t is not set")
-ANSWERS(t_kept_in_loop, looped(inputs, i, (Loop){.keeps_t = 1}), "hit->t is not set")
-ANSWERS(t_kept_low, looped(inputs, i, (Loop){.keeps_t = 1, .lower_wins = 1}), "hit->t is not set")
-ANSWERS(hit_forgotten, searched(inputs, i, (Way){.forgets_hit = 1}),
-        "the hit so far was nearer: it stays")
-ANSWERS(last_missing, searched(inputs, i, (Way){.rules = {.skip_last = 1}}),
-        "the last sphere of the leaf is missing", MISTAKE_MISSING_IN_CELL)
-ANSWERS(first_missing, searched(inputs, i, (Way){.rules = {.skip_first = 1}}),
-        "the first sphere of the leaf is missing", MISTAKE_MISSING_IN_CELL)
-ANSWERS(one_more, searched(inputs, i, (Way){.rules = {.one_sphere_more = 1}}),
-        "one sphere too many is asked, the one before the leaf's or the one behind them")
-ANSWERS(later_wins, searched(inputs, i, (Way){.rules = {.later_wins_ties = 1}}),
-        "of two equally far spheres the later one won", MISTAKE_LATER_OF_EQUALS)
-ANSWERS(hit_stays, searched(inputs, i, (Way){.first_stays = 1}),
-        "the hit so far stayed, where a sphere with a lower id is just as far away")
+    // Within a hair, what goes by ties looks the same.
+    EACH(hair,
+         IS_FOUND(hit) || (found.sphere != hit.sphere && found.t != (float)hit.t &&
+                           fabs(found.t - hit.t) < HAIR),
+         "of two hits a hair apart the nearer one is the nearer: compare without an epsilon");
+
+    ONLY(by_hair,
+         found.sphere != hit.sphere && fabs(found.t - hit.t) < HAIR &&
+             is_hit_there(inputs, in, found),
+         "only hits a hair apart, or just as far away, are mistaken for one another: compare "
+         "without an epsilon, and at equal distances the lower id wins");
+
+    // That no hit changes has many reasons.
+    ANSWERS(unchanged, ((LeafHit){in->sphere, in->t, 0, 0}), NULL);
+
+    ANSWERS(position, searched(inputs, i, (Way){.is_position = 1}),
+            "that is a position in sphere_ids, not what stands there");
+    ANSWERS(sphere_kept, searched(inputs, i, (Way){.keeps_sphere = 1}), "hit->sphere is not set");
+    // Each sphere that is nearer than the hit so far is then taken, up to the last.
+    ANSWERS(t_kept, searched(inputs, i, (Way){.keeps_distance = 1, .rules = {.last_wins = 1}}),
+            "hit->t is not set");
+    ANSWERS(t_kept_in_loop, looped(inputs, i, (Loop){.keeps_t = 1}), "hit->t is not set");
+    ANSWERS(t_kept_low, looped(inputs, i, (Loop){.keeps_t = 1, .lower_wins = 1}),
+            "hit->t is not set");
+    ANSWERS(hit_forgotten, searched(inputs, i, (Way){.forgets_hit = 1}),
+            "the hit so far was nearer: it stays");
+    ANSWERS(last_missing, searched(inputs, i, (Way){.rules = {.skip_last = 1}}),
+            "the last sphere of the leaf is missing", MISTAKE_MISSING_IN_CELL);
+    ANSWERS(first_missing, searched(inputs, i, (Way){.rules = {.skip_first = 1}}),
+            "the first sphere of the leaf is missing", MISTAKE_MISSING_IN_CELL);
+    ANSWERS(one_more, searched(inputs, i, (Way){.rules = {.one_sphere_more = 1}}),
+            "one sphere too many is asked, the one before the leaf's or the one behind them");
+    ANSWERS(later_wins, searched(inputs, i, (Way){.rules = {.later_wins_ties = 1}}),
+            "of two equally far spheres the later one won", MISTAKE_LATER_OF_EQUALS);
+    ANSWERS(hit_stays, searched(inputs, i, (Way){.first_stays = 1}),
+            "the hit so far stayed, where a sphere with a lower id is just as far away");
 #define FIRST_WINS "that is as if the first sphere that is hit won, however far"
-ANSWERS(first_wins, searched(inputs, i, (Way){.rules = {.first_wins = 1}}), FIRST_WINS)
-ANSWERS(first_ends, looped(inputs, i, (Loop){.first_ends = 1}), FIRST_WINS)
-ANSWERS(first_ends_low, looped(inputs, i, (Loop){.first_ends = 1, .lower_wins = 1}), FIRST_WINS)
-ANSWERS(last_wins, searched(inputs, i, (Way){.rules = {.last_wins = 1}}),
-        "that is as if the last sphere that is hit won, however far")
-ANSWERS(farthest_wins, searched(inputs, i, (Way){.rules = {.farthest_wins = 1}}),
-        "that is as if the farthest sphere won")
+    ANSWERS(first_wins, searched(inputs, i, (Way){.rules = {.first_wins = 1}}), FIRST_WINS);
+    ANSWERS(first_ends, looped(inputs, i, (Loop){.first_ends = 1}), FIRST_WINS);
+    ANSWERS(first_ends_low, looped(inputs, i, (Loop){.first_ends = 1, .lower_wins = 1}),
+            FIRST_WINS);
+    ANSWERS(last_wins, searched(inputs, i, (Way){.rules = {.last_wins = 1}}),
+            "that is as if the last sphere that is hit won, however far");
+    ANSWERS(farthest_wins, searched(inputs, i, (Way){.rules = {.farthest_wins = 1}}),
+            "that is as if the farthest sphere won");
 
-ANSWERS(not_farther, looped(inputs, i, (Loop){.comparison = NOT_FARTHER}),
-        "of two equally far spheres the later one won, and of misses, too: t <= hit->t",
-        MISTAKE_LATER_OF_EQUALS)
+    ANSWERS(not_farther, looped(inputs, i, (Loop){.comparison = NOT_FARTHER}),
+            "of two equally far spheres the later one won, and of misses, too: t <= hit->t",
+            MISTAKE_LATER_OF_EQUALS);
 
-ANSWERS(higher_wins, looped(inputs, i, (Loop){.higher_wins = 1}),
-        "of two equally far spheres the one with the higher id won: the lower one is to")
-ANSWERS(or_lower, looped(inputs, i, (Loop){.comparison = OR_LOWER}),
-        "a sphere with a lower id won, however far: ids count at equal distances only")
-ANSWERS(lower_too, looped(inputs, i, (Loop){.comparison = LOWER_TOO}),
-        "a nearer sphere wins whatever its id: ids count at equal distances only")
+    ANSWERS(higher_wins, looped(inputs, i, (Loop){.higher_wins = 1}),
+            "of two equally far spheres the one with the higher id won: the lower one is to");
+    ANSWERS(or_lower, looped(inputs, i, (Loop){.comparison = OR_LOWER}),
+            "a sphere with a lower id won, however far: ids count at equal distances only");
+    ANSWERS(lower_too, looped(inputs, i, (Loop){.comparison = LOWER_TOO}),
+            "a nearer sphere wins whatever its id: ids count at equal distances only");
 
 #define FARTHER_WINS "that is as if a hit had to be farther than the one so far: t > hit->t"
-ANSWERS(farther, looped(inputs, i, (Loop){.comparison = FARTHER}), FARTHER_WINS)
-ANSWERS(farther_low, looped(inputs, i, (Loop){.comparison = FARTHER, .lower_wins = 1}),
-        FARTHER_WINS)
-ANSWERS(farther_hit, looped(inputs, i, (Loop){.comparison = FARTHER_HIT}), FARTHER_WINS)
-ANSWERS(farther_hit_low, looped(inputs, i, (Loop){.comparison = FARTHER_HIT, .lower_wins = 1}),
-        FARTHER_WINS)
-ANSWERS(farther_or_any, looped(inputs, i, (Loop){.comparison = FARTHER_OR_ANY}), FARTHER_WINS)
+    ANSWERS(farther, looped(inputs, i, (Loop){.comparison = FARTHER}), FARTHER_WINS);
+    ANSWERS(farther_low, looped(inputs, i, (Loop){.comparison = FARTHER, .lower_wins = 1}),
+            FARTHER_WINS);
+    ANSWERS(farther_hit, looped(inputs, i, (Loop){.comparison = FARTHER_HIT}), FARTHER_WINS);
+    ANSWERS(farther_hit_low, looped(inputs, i, (Loop){.comparison = FARTHER_HIT, .lower_wins = 1}),
+            FARTHER_WINS);
+    ANSWERS(farther_or_any, looped(inputs, i, (Loop){.comparison = FARTHER_OR_ANY}), FARTHER_WINS);
 
 #define ASKS_POSITION "the position in sphere_ids was taken for the id of the sphere to ask"
-ANSWERS(asked, looped(inputs, i, (Loop){.asks_position = 1}), ASKS_POSITION)
-ANSWERS(asked_low, looped(inputs, i, (Loop){.asks_position = 1, .lower_wins = 1}), ASKS_POSITION)
-ANSWERS(asked_kept, looped(inputs, i, (Loop){.asks_position = 1, .keeps_position = 1}),
-        ASKS_POSITION)
-ANSWERS(asked_kept_low,
-        looped(inputs, i, (Loop){.asks_position = 1, .keeps_position = 1, .lower_wins = 1}),
-        ASKS_POSITION)
-ANSWERS(kept_low, looped(inputs, i, (Loop){.keeps_position = 1, .lower_wins = 1}),
-        "hit->sphere is a position in sphere_ids, not what stands there")
+    ANSWERS(asked, looped(inputs, i, (Loop){.asks_position = 1}), ASKS_POSITION);
+    ANSWERS(asked_low, looped(inputs, i, (Loop){.asks_position = 1, .lower_wins = 1}),
+            ASKS_POSITION);
+    ANSWERS(asked_kept, looped(inputs, i, (Loop){.asks_position = 1, .keeps_position = 1}),
+            ASKS_POSITION);
+    ANSWERS(asked_kept_low,
+            looped(inputs, i, (Loop){.asks_position = 1, .keeps_position = 1, .lower_wins = 1}),
+            ASKS_POSITION);
+    ANSWERS(kept_low, looped(inputs, i, (Loop){.keeps_position = 1, .lower_wins = 1}),
+            "hit->sphere is a position in sphere_ids, not what stands there");
 
 #define KEEPS_START                                                                                \
     "the id that is kept is not that of the sphere that was asked: both are at node.first + i"
-ANSWERS(keeps_start, looped(inputs, i, (Loop){.keeps_start = 1}), KEEPS_START)
-ANSWERS(keeps_start_low, looped(inputs, i, (Loop){.keeps_start = 1, .lower_wins = 1}), KEEPS_START)
+    ANSWERS(keeps_start, looped(inputs, i, (Loop){.keeps_start = 1}), KEEPS_START);
+    ANSWERS(keeps_start_low, looped(inputs, i, (Loop){.keeps_start = 1, .lower_wins = 1}),
+            KEEPS_START);
 
 #define FIRST_IDS "the first ids of the tree were asked: the leaf's begin at node.first"
-ANSWERS(from_start, looped(inputs, i, (Loop){.from_start = 1}), FIRST_IDS)
-ANSWERS(from_start_low, looped(inputs, i, (Loop){.from_start = 1, .lower_wins = 1}), FIRST_IDS)
-
-static const Known *const known[] = {&miss_taken,      &longest,         &hair,
-                                     &near_eye,        &far_away,        &unchanged,
-                                     &position,        &sphere_kept,     &t_kept,
-                                     &hit_forgotten,   &last_missing,    &first_missing,
-                                     &one_more,        &later_wins,      &hit_stays,
-                                     &first_wins,      &last_wins,       &farthest_wins,
-                                     &not_farther,     &farther,         &farther_low,
-                                     &farther_hit,     &farther_hit_low, &farther_or_any,
-                                     &by_hair,         &asked,           &asked_low,
-                                     &asked_kept,      &asked_kept_low,  &kept_low,
-                                     &from_start,      &from_start_low,  &keeps_start,
-                                     &keeps_start_low, &first_ends,      &first_ends_low,
-                                     &t_kept_in_loop,  &t_kept_low,      &lower_too,
-                                     &higher_wins,     &or_lower};
+    ANSWERS(from_start, looped(inputs, i, (Loop){.from_start = 1}), FIRST_IDS);
+    ANSWERS(from_start_low, looped(inputs, i, (Loop){.from_start = 1, .lower_wins = 1}), FIRST_IDS);
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

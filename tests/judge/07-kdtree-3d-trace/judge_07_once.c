@@ -32,24 +32,30 @@ static int is_any_found(const void *job, const void *answers)
     return i < N_LEAVES;
 }
 
-EACH(uncounted, IS_FOUND(0) && is_any_found(job, answers),
-     "hits are found, but their calls were not counted in the `work` that was handed in")
-EACH(unasked, IS_FOUND(0) && !is_any_found(job, answers),
-     "no hit is found, and no sphere was asked: from where to where does the loop run?")
-// A loop from first to before n_spheres.
-ANSWERS(to_count, in->node.first < in->node.n_spheres ? in->node.n_spheres - in->node.first : 0,
-        "node.n_spheres was taken for the end of the range: it is how many there are")
-ONLY(more, found > in->node.n_spheres,
-     "some spheres were asked more than once: a distance that is needed twice can be kept")
-// It need not be where a nearer one comes before it.
-ONLY(not_again,
-     found + 1 == in->node.n_spheres && lists(&((const Job07 *)job)->inputs, in->node, in->sphere),
-     "the sphere that is hit already was not asked again: the contract is once for each")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-ONLY(fewer, found < in->node.n_spheres,
-     "not each sphere of the leaf is asked: the loop ends before the last one, or passes some over")
+    EACH(uncounted, IS_FOUND(0) && is_any_found(job, answers),
+         "hits are found, but their calls were not counted in the `work` that was handed in");
+    EACH(unasked, IS_FOUND(0) && !is_any_found(job, answers),
+         "no hit is found, and no sphere was asked: from where to where does the loop run?");
+    // A loop from first to before n_spheres.
+    ANSWERS(to_count, in->node.first < in->node.n_spheres ? in->node.n_spheres - in->node.first : 0,
+            "node.n_spheres was taken for the end of the range: it is how many there are");
+    ONLY(more, found > in->node.n_spheres,
+         "some spheres were asked more than once: a distance that is needed twice can be kept");
+    // It need not be where a nearer one comes before it.
+    ONLY(not_again,
+         found + 1 == in->node.n_spheres &&
+             lists(&((const Job07 *)job)->inputs, in->node, in->sphere),
+         "the sphere that is hit already was not asked again: the contract is once for each");
 
-static const Known *const known[] = {&uncounted, &unasked, &to_count, &more, &not_again, &fewer};
+    ONLY(fewer, found < in->node.n_spheres,
+         "not each sphere of the leaf is asked: the loop ends before the last one, or passes some "
+         "over");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

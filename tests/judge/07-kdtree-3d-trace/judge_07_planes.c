@@ -141,13 +141,6 @@ static Children without_eye(const PlaneJob *in)
 // Is the plane ahead, and exactly there?
 #define IS_AT(t) (is_exact_plane(in) && t_of(in) > 0 && t_of(in) == (t))
 
-EACH(unset, is_same(found, children(in)) || (is_choice(found, children(in)) && !is_written(found)),
-     "the choices are right, but *t_split is not set: what stood there before is found")
-ANSWERS(swapped, chosen_by(in, FAR_BIT, NEAR_BIT, BOTH_BIT, FAR_BIT),
-        "ONLY_NEAR and ONLY_FAR are swapped")
-ANSWERS(behind_crossed, without_eye(in),
-        "that is as if a plane behind the eye had been crossed before the node: t_split <= 0 is "
-        "ONLY_NEAR")
 static Children crossed_first(const PlaneJob *in)
 {
     Children result = children(in);
@@ -158,85 +151,12 @@ static Children crossed_first(const PlaneJob *in)
     return result;
 }
 
-EACH(behind_late, isnan(t_of(in)) || IS_FOUND(crossed_first(in)),
-     "that is as if a plane behind the eye had been crossed before the node: whether it is "
-     "behind the eye is asked first")
-ANSWERS(behind_met, chosen_by(in, BOTH_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
-        "a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR")
-ANSWERS(at_eye_met, children_but(in, t_of(in) == 0, in->t_min > 0 ? FAR_BIT : BOTH_BIT),
-        "with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind the eye")
-ANSWERS(beyond_both, chosen_by(in, NEAR_BIT, FAR_BIT, BOTH_BIT, BOTH_BIT),
-        "that is as if t_max did not count: beyond it only the near child is met")
-ANSWERS(crossed_both, chosen_by(in, NEAR_BIT, BOTH_BIT, BOTH_BIT, NEAR_BIT),
-        "a plane crossed before t_min leaves only the far child")
-ANSWERS(crossed_near, chosen_by(in, NEAR_BIT, NEAR_BIT, BOTH_BIT, NEAR_BIT),
-        "a plane crossed before t_min leaves the far child, not the near one")
-ANSWERS(inside_near, chosen_by(in, NEAR_BIT, FAR_BIT, NEAR_BIT, NEAR_BIT),
-        "that is as if the far child were never met: a plane between t_min and t_max is BOTH",
-        MISTAKE_FAR_CHILD)
-ANSWERS(inside_far, chosen_by(in, NEAR_BIT, FAR_BIT, FAR_BIT, NEAR_BIT),
-        "that is as if only the far child were met: a plane between t_min and t_max is BOTH")
-ANSWERS(beyond_far, chosen_by(in, NEAR_BIT, FAR_BIT, BOTH_BIT, FAR_BIT),
-        "a plane beyond t_max leaves the near child, not the far one")
-ANSWERS(behind_far, chosen_by(in, FAR_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
-        "a plane behind the eye leaves the near child, not the far one")
-
-// Of the plane behind the eye, before the part, in it and beyond it: 3 choices each.
-ANY(other_choices, 81,
-    IS_FOUND(chosen_by(in, 1u << way % 3, 1u << way / 3 % 3, 1u << way / 9 % 3, 1u << way / 27)),
-    "in more than one of the README's four cases the choice is another: the plane behind the eye, "
-    "before the part, in it, beyond it")
-ANSWERS(at_t_min, children_but(in, IS_AT(in->t_min), FAR_BIT),
-        "a plane exactly at t_min is met: equal to t_min is BOTH")
-ANSWERS(at_t_max, children_but(in, IS_AT(in->t_max), NEAR_BIT),
-        "a plane exactly at t_max is met: equal to t_max is BOTH")
-
 static Children without_ends(const PlaneJob *in, u32 of_nan)
 {
     return isnan(t_of(in)) ? children_but(in, 1, of_nan)
                            : children_but(in, IS_AT(in->t_min) || IS_AT(in->t_max),
                                           IS_AT(in->t_max) ? NEAR_BIT : FAR_BIT);
 }
-
-ANSWERS(at_both_ends, without_ends(in, NEAR_BIT),
-        "a plane exactly at t_min or t_max is met: equal is BOTH")
-ANSWERS(at_both_ends_nan, without_ends(in, BOTH_BIT),
-        "a plane exactly at t_min or t_max is met, equal is BOTH; and a ray along the plane, where "
-        "t_split is NaN, is ONLY_NEAR")
-
-// NaN is where these show: an infinite t_split compares as it should.
-#define NEVER_MET                                                                                  \
-    "a ray along the plane never meets it, and comparisons with NaN are never true: that is "      \
-    "ONLY_NEAR"
-ANSWERS(along_both, children_but(in, isnan(t_of(in)), BOTH_BIT), NEVER_MET)
-ANSWERS(along_far, children_but(in, isnan(t_of(in)), FAR_BIT), NEVER_MET)
-
-ONLY(lost_afar, is_far(in),
-     "only planes far from the scene's origin are wrong: products that are subtracted lose their "
-     "digits there; subtract the eye first, and multiply the difference")
-
-// In one place only: along the plane, or near a border, of an epsilon whose size is not known.
-ONLY(infinite_both, isinf(in->inverse) && (found.children == PLANE_BOTH || isnan(t_of(in))),
-     "BOTH with an infinite t_split: a ray along the plane never meets it, that is ONLY_NEAR")
-ONLY(along_met, isinf(in->inverse),
-     "only rays along the plane are wrong: they never meet it, that is ONLY_NEAR, whether t_split "
-     "is infinite or not a number")
-ONLY(small_is_along, fabsf(in->inverse) * HAIR > 1 && found.children == PLANE_ONLY_NEAR,
-     "that is as if a small direction were 0: a ray is along the plane only where 1 / direction is "
-     "infinite, without an epsilon")
-ONLY(hair_ahead, t_of(in) > 0 && t_of(in) < HAIR && found.children == PLANE_ONLY_NEAR,
-     "a plane a hair ahead of the eye is ahead of it: compare with 0 without an epsilon")
-ONLY(hair_behind, t_of(in) <= 0 && t_of(in) > -HAIR && found.children != PLANE_ONLY_NEAR,
-     "a plane a hair behind the eye is behind it: compare with 0 without an epsilon")
-ONLY(hair_t_min, fabs(t_of(in) - in->t_min) < HAIR && found.children != PLANE_ONLY_NEAR,
-     "only planes a hair before or behind t_min are wrong: compare without an epsilon")
-ONLY(hair_t_max, fabs(t_of(in) - in->t_max) < HAIR && found.children != PLANE_ONLY_FAR,
-     "only planes a hair before or behind t_max are wrong: compare without an epsilon")
-ONLY(hair_wider,
-     (fabs(t_of(in) - in->t_min) < HAIR || fabs(t_of(in) - in->t_max) < HAIR) &&
-         found.children == PLANE_BOTH,
-     "planes a hair outside of the part are taken for met: compare with t_min and t_max without an "
-     "epsilon")
 
 // Of t_split itself.
 static Span clamped(const PlaneJob *in, Span split)
@@ -262,34 +182,112 @@ static int is_met_at(const PlaneJob *in, PlaneAnswer found, double t)
                                                  fmax(split.high, in_float + error)}));
 }
 
-EACH(backwards, is_met_at(in, found, -t_of(in)), "t_split has the wrong sign")
-EACH(divided, is_met_at(in, found, t_of(in) / pow(in->inverse, 2)),
-     "t_split is divided by the inverse: it is 1 / direction already")
-EACH(from_zero, is_met_at(in, found, t_from(in, 0)), "t_split is computed without the origin")
-ANSWERS(always_both, children_but(in, 1, BOTH_BIT),
-        "that is as if every plane were met: where it is behind the eye, beyond t_max or before "
-        "t_min, the ray meets one child only")
-EACH(origin_added, is_met_at(in, found, t_from(in, -(double)in->origin)),
-     "t_split is computed with the origin added: it is taken from the plane's position")
-EACH(not_multiplied, is_met_at(in, found, (double)in->node.split_pos - in->origin),
-     "t_split is the way to the plane, not yet times 1 / direction")
-EACH(moved, is_same(found, clamped_first(in)),
-     "t_split was moved into [t_min, t_max] before it was compared: then every plane ahead is met")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-ANSWERS(t_other, children(in),
-        "the choices are right, but t_split is not: is it by the README's formula?")
+    EACH(unset,
+         is_same(found, children(in)) || (is_choice(found, children(in)) && !is_written(found)),
+         "the choices are right, but *t_split is not set: what stood there before is found");
+    ANSWERS(swapped, chosen_by(in, FAR_BIT, NEAR_BIT, BOTH_BIT, FAR_BIT),
+            "ONLY_NEAR and ONLY_FAR are swapped");
+    ANSWERS(behind_crossed, without_eye(in),
+            "that is as if a plane behind the eye had been crossed before the node: t_split <= 0 "
+            "is ONLY_NEAR");
 
-static const Known *const known[] = {
-    &unset,         &t_other,        &swapped,       &behind_crossed,
-    &behind_met,    &at_eye_met,     &beyond_both,   &crossed_both,
-    &crossed_near,  &inside_near,    &inside_far,    &at_t_min,
-    &at_t_max,      &along_both,     &along_far,     &infinite_both,
-    &along_met,     &small_is_along, &hair_ahead,    &hair_behind,
-    &hair_t_min,    &hair_t_max,     &hair_wider,    &backwards,
-    &divided,       &from_zero,      &moved,         &always_both,
-    &lost_afar,     &behind_late,    &at_both_ends,  &at_both_ends_nan,
-    &beyond_far,    &behind_far,     &other_choices, &origin_added,
-    &not_multiplied};
+    EACH(behind_late, isnan(t_of(in)) || IS_FOUND(crossed_first(in)),
+         "that is as if a plane behind the eye had been crossed before the node: whether it is "
+         "behind the eye is asked first");
+    ANSWERS(behind_met, chosen_by(in, BOTH_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
+            "a plane behind the eye is not met: t_split <= 0 is ONLY_NEAR");
+    ANSWERS(at_eye_met, children_but(in, t_of(in) == 0, in->t_min > 0 ? FAR_BIT : BOTH_BIT),
+            "with the eye on the plane t_split is 0: that is ONLY_NEAR, as behind the eye");
+    ANSWERS(beyond_both, chosen_by(in, NEAR_BIT, FAR_BIT, BOTH_BIT, BOTH_BIT),
+            "that is as if t_max did not count: beyond it only the near child is met");
+    ANSWERS(crossed_both, chosen_by(in, NEAR_BIT, BOTH_BIT, BOTH_BIT, NEAR_BIT),
+            "a plane crossed before t_min leaves only the far child");
+    ANSWERS(crossed_near, chosen_by(in, NEAR_BIT, NEAR_BIT, BOTH_BIT, NEAR_BIT),
+            "a plane crossed before t_min leaves the far child, not the near one");
+    ANSWERS(inside_near, chosen_by(in, NEAR_BIT, FAR_BIT, NEAR_BIT, NEAR_BIT),
+            "that is as if the far child were never met: a plane between t_min and t_max is BOTH",
+            MISTAKE_FAR_CHILD);
+    ANSWERS(inside_far, chosen_by(in, NEAR_BIT, FAR_BIT, FAR_BIT, NEAR_BIT),
+            "that is as if only the far child were met: a plane between t_min and t_max is BOTH");
+    ANSWERS(beyond_far, chosen_by(in, NEAR_BIT, FAR_BIT, BOTH_BIT, FAR_BIT),
+            "a plane beyond t_max leaves the near child, not the far one");
+    ANSWERS(behind_far, chosen_by(in, FAR_BIT, FAR_BIT, BOTH_BIT, NEAR_BIT),
+            "a plane behind the eye leaves the near child, not the far one");
+
+    // Of the plane behind the eye, before the part, in it and beyond it: 3 choices each.
+    ANY(other_choices, 81,
+        IS_FOUND(
+            chosen_by(in, 1u << way % 3, 1u << way / 3 % 3, 1u << way / 9 % 3, 1u << way / 27)),
+        "in more than one of the README's four cases the choice is another: the plane behind the "
+        "eye, before the part, in it, beyond it");
+    ANSWERS(at_t_min, children_but(in, IS_AT(in->t_min), FAR_BIT),
+            "a plane exactly at t_min is met: equal to t_min is BOTH");
+    ANSWERS(at_t_max, children_but(in, IS_AT(in->t_max), NEAR_BIT),
+            "a plane exactly at t_max is met: equal to t_max is BOTH");
+
+    ANSWERS(at_both_ends, without_ends(in, NEAR_BIT),
+            "a plane exactly at t_min or t_max is met: equal is BOTH");
+    ANSWERS(at_both_ends_nan, without_ends(in, BOTH_BIT),
+            "a plane exactly at t_min or t_max is met, equal is BOTH; and a ray along the plane, "
+            "where t_split is NaN, is ONLY_NEAR");
+
+    // NaN is where these show: an infinite t_split compares as it should.
+#define NEVER_MET                                                                                  \
+    "a ray along the plane never meets it, and comparisons with NaN are never true: that is "      \
+    "ONLY_NEAR"
+    ANSWERS(along_both, children_but(in, isnan(t_of(in)), BOTH_BIT), NEVER_MET);
+    ANSWERS(along_far, children_but(in, isnan(t_of(in)), FAR_BIT), NEVER_MET);
+
+    // In one place only: along the plane, or near a border, of an epsilon whose size is not known.
+    ONLY(infinite_both, isinf(in->inverse) && (found.children == PLANE_BOTH || isnan(t_of(in))),
+         "BOTH with an infinite t_split: a ray along the plane never meets it, that is ONLY_NEAR");
+
+    ONLY(along_met, isinf(in->inverse),
+         "only rays along the plane are wrong: they never meet it, that is ONLY_NEAR, whether "
+         "t_split is infinite or not a number");
+    ONLY(small_is_along, fabsf(in->inverse) * HAIR > 1 && found.children == PLANE_ONLY_NEAR,
+         "that is as if a small direction were 0: a ray is along the plane only where 1 / "
+         "direction is infinite, without an epsilon");
+    ONLY(hair_ahead, t_of(in) > 0 && t_of(in) < HAIR && found.children == PLANE_ONLY_NEAR,
+         "a plane a hair ahead of the eye is ahead of it: compare with 0 without an epsilon");
+    ONLY(hair_behind, t_of(in) <= 0 && t_of(in) > -HAIR && found.children != PLANE_ONLY_NEAR,
+         "a plane a hair behind the eye is behind it: compare with 0 without an epsilon");
+    ONLY(hair_t_min, fabs(t_of(in) - in->t_min) < HAIR && found.children != PLANE_ONLY_NEAR,
+         "only planes a hair before or behind t_min are wrong: compare without an epsilon");
+    ONLY(hair_t_max, fabs(t_of(in) - in->t_max) < HAIR && found.children != PLANE_ONLY_FAR,
+         "only planes a hair before or behind t_max are wrong: compare without an epsilon");
+    ONLY(hair_wider,
+         (fabs(t_of(in) - in->t_min) < HAIR || fabs(t_of(in) - in->t_max) < HAIR) &&
+             found.children == PLANE_BOTH,
+         "planes a hair outside of the part are taken for met: compare with t_min and t_max "
+         "without an epsilon");
+    ONLY(lost_afar, is_far(in),
+         "only planes far from the scene's origin are wrong: products that are subtracted lose "
+         "their digits there; subtract the eye first, and multiply the difference");
+
+    EACH(backwards, is_met_at(in, found, -t_of(in)), "t_split has the wrong sign");
+    EACH(divided, is_met_at(in, found, t_of(in) / pow(in->inverse, 2)),
+         "t_split is divided by the inverse: it is 1 / direction already");
+    EACH(from_zero, is_met_at(in, found, t_from(in, 0)), "t_split is computed without the origin");
+    ANSWERS(always_both, children_but(in, 1, BOTH_BIT),
+            "that is as if every plane were met: where it is behind the eye, beyond t_max or "
+            "before t_min, the ray meets one child only");
+    EACH(origin_added, is_met_at(in, found, t_from(in, -(double)in->origin)),
+         "t_split is computed with the origin added: it is taken from the plane's position");
+    EACH(not_multiplied, is_met_at(in, found, (double)in->node.split_pos - in->origin),
+         "t_split is the way to the plane, not yet times 1 / direction");
+    EACH(moved, is_same(found, clamped_first(in)),
+         "t_split was moved into [t_min, t_max] before it was compared: then every plane ahead is "
+         "met");
+
+    ANSWERS(t_other, children(in),
+            "the choices are right, but t_split is not: is it by the README's formula?");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

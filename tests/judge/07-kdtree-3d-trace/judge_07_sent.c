@@ -26,11 +26,6 @@ static float part_of(Vec3 v, u32 axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static Vec3 rounded(OracleVector v)
-{
-    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
-}
-
 // ---- clip_to_box --------------------------------------------------------------------------------
 
 // The call for a scene's box; narrows the ray to it.
@@ -117,7 +112,7 @@ static void follow(Random *random, const JobScene3D *scene, SentInputs *sent)
 {
     const int n_pixels = scene->scene.width * scene->scene.height;
     const OracleRay ray = job_scene3d_ray(scene, (int)random_integer(random, 0, n_pixels - 1));
-    Followed followed = {rounded(ray.origin), rounded(ray.direction), 0, INFINITY};
+    Followed followed = {vector_rounded(ray.origin), vector_rounded(ray.direction), 0, INFINITY};
     keep_clip(random, scene->tree.bounds, &followed, sent);
     KdNode3 node = scene->tree.nodes[0];
     while (node.split_axis != KD_LEAF && followed.t_min <= followed.t_max) {

@@ -57,8 +57,6 @@ static u32 away_from_plane(const SideJob *in)
                : by_direction(in, (in->origin > in->node.split_pos) == (in->inverse > 0));
 }
 
-ANSWERS(far_side, other_side(near_side(in)), "that is the far side: near and far are swapped")
-
 // A side for an eye below, above, and on the plane: LOWER, UPPER, or by the direction, 2, or
 // against it, 3.
 static u32 side_by(const SideJob *in, int below, int above, int on)
@@ -69,49 +67,53 @@ static u32 side_by(const SideJob *in, int below, int above, int on)
     return by <= UPPER ? (u32)by : is_along(in) ? EITHER : (in->inverse > 0) == (by == 2);
 }
 
-ANY(other_sides, 64, IS_FOUND(side_by(in, way % 4, way / 4 % 4, way / 16)),
-    "an eye below the plane is on side 0, an eye above it on side 1, whatever the direction: for "
-    "one of them, or both, it is another")
-ANSWERS(coming_from, by_direction(in, in->inverse < 0),
-        "that is as if the direction decided, wherever the eye is")
-ANSWERS(going_to, by_direction(in, in->inverse > 0),
-        "that is as if the ray's way decided, wherever the eye is")
-ANSWERS(plane_is_lower, on_plane(in, LOWER),
-        "an eye on the plane was sent to the lower child, wherever the ray goes")
-ANSWERS(plane_is_upper, on_plane(in, UPPER),
-        "an eye on the plane was sent to the upper child, wherever the ray goes")
-ANSWERS(plane_is_other, on_plane(in, other_side(near_side(in))),
-        "with the eye on the plane the near child is the one the ray goes into, not the one it "
-        "comes from")
-ANSWERS(child_id, near_side(in) == EITHER ? EITHER : in->node.first + near_side(in),
-        "that is the id of a child; 0 and 1 are the sides")
-ANSWERS(away, away_from_plane(in),
-        "that is as if it counted whether the ray goes away from the plane: the eye's side is its "
-        "side, whichever way it looks")
-ANSWERS(whole, side_of(in, truncf(in->origin), truncf(in->node.split_pos)),
-        "eye and plane were compared as whole numbers")
-
 // An epsilon, whose size is not known.
 static float from_plane(const SideJob *in)
 {
     return fabsf(in->origin - in->node.split_pos);
 }
 
-ONLY(along, is_along(in),
-     "only rays along the plane are wrong: of them, too, the near child is the one on the eye's "
-     "side")
-ONLY(hair, from_plane(in) > 0 && from_plane(in) < (float)HAIR,
-     "an eye a hair beside the plane is not on it: compare without an epsilon")
-ONLY(small, from_plane(in) == 0 && (fabsf(in->inverse) < (float)HAIR || fabsf(in->inverse) > 1000),
-     "only the sign of the direction counts, however small or large it is")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-ONLY(on_plane_only, from_plane(in) == 0,
-     "only eyes on the plane are wrong: there the sign of inverse decides, and nothing else")
+    ANSWERS(far_side, other_side(near_side(in)), "that is the far side: near and far are swapped");
 
-static const Known *const known[] = {&far_side,       &other_sides,    &coming_from,    &going_to,
-                                     &plane_is_lower, &plane_is_upper, &plane_is_other, &child_id,
-                                     &away,           &whole,          &along,          &hair,
-                                     &small,          &on_plane_only};
+    ANY(other_sides, 64, IS_FOUND(side_by(in, way % 4, way / 4 % 4, way / 16)),
+        "an eye below the plane is on side 0, an eye above it on side 1, whatever the direction: "
+        "for one of them, or both, it is another");
+    ANSWERS(coming_from, by_direction(in, in->inverse < 0),
+            "that is as if the direction decided, wherever the eye is");
+    ANSWERS(going_to, by_direction(in, in->inverse > 0),
+            "that is as if the ray's way decided, wherever the eye is");
+    ANSWERS(plane_is_lower, on_plane(in, LOWER),
+            "an eye on the plane was sent to the lower child, wherever the ray goes");
+    ANSWERS(plane_is_upper, on_plane(in, UPPER),
+            "an eye on the plane was sent to the upper child, wherever the ray goes");
+    ANSWERS(plane_is_other, on_plane(in, other_side(near_side(in))),
+            "with the eye on the plane the near child is the one the ray goes into, not the one it "
+            "comes from");
+    ANSWERS(child_id, near_side(in) == EITHER ? EITHER : in->node.first + near_side(in),
+            "that is the id of a child; 0 and 1 are the sides");
+    ANSWERS(away, away_from_plane(in),
+            "that is as if it counted whether the ray goes away from the plane: the eye's side is "
+            "its side, whichever way it looks");
+    ANSWERS(whole, side_of(in, truncf(in->origin), truncf(in->node.split_pos)),
+            "eye and plane were compared as whole numbers");
+
+    ONLY(along, is_along(in),
+         "only rays along the plane are wrong: of them, too, the near child is the one on the "
+         "eye's side");
+    ONLY(hair, from_plane(in) > 0 && from_plane(in) < (float)HAIR,
+         "an eye a hair beside the plane is not on it: compare without an epsilon");
+    ONLY(small,
+         from_plane(in) == 0 && (fabsf(in->inverse) < (float)HAIR || fabsf(in->inverse) > 1000),
+         "only the sign of the direction counts, however small or large it is");
+
+    ONLY(on_plane_only, from_plane(in) == 0,
+         "only eyes on the plane are wrong: there the sign of inverse decides, and nothing else");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

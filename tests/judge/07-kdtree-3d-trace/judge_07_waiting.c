@@ -75,65 +75,26 @@ static NextWaitingAnswer ended_if(const NextWaitingJob *in, int is_end)
     return taken(in, is_end, in->todo.n - 1);
 }
 
-#define IS_END (in->t < in->at.t_max)
-#define WAITING ended_if(in, IS_END)
+static NextWaitingAnswer waiting(const NextWaitingJob *in)
+{
+    return ended_if(in, in->t < in->at.t_max);
+}
 
-RIGHT(is_right_end, (found->goes_on != 0) == WAITING.goes_on)
+RIGHT(is_right_end, (found->goes_on != 0) == waiting(in).goes_on)
 // Where the search is over, at and the stack do not matter.
-RIGHT(is_right_next, !WAITING.goes_on || IS_FOUND(WAITING))
+RIGHT(is_right_next, !waiting(in).goes_on || IS_FOUND(waiting(in)))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-// By where the search ends.
-ANSWERS(any_hit, ended_if(in, in->t < INFINITY),
-        "that is as if the search ended at any hit, also at one beyond t_max, which another sphere "
-        "may hide")
-ANSWERS(never_ends, ended_if(in, 0),
-        "that is as if the search did not end before the stack is empty")
-ANY(inverted, 2, IS_FOUND(ended_if(in, way ? in->t > in->at.t_max : !IS_END)),
-    "that is as if the search went on where it has found a hit, and ended where it has not: "
-    "the comparison with t_max is inverted")
-ANSWERS(at_t_max, ended_if(in, in->t <= in->at.t_max),
-        "a hit exactly at t_max must not end the search: a sphere that only the next leaf lists "
-        "may be just as far away")
-ANY(at_t_min, 2, IS_FOUND(ended_if(in, way ? in->t <= in->at.t_min : in->t < in->at.t_min)),
-    "that is as if the hit were compared with the leaf's t_min: its t_max counts")
 // After it was taken from the stack.
 static int ends_in_next(const NextWaitingJob *in)
 {
     return in->todo.n > 0 && in->t < in->todo.upper[in->todo.n - 1].t_max;
 }
 
-ANSWERS(by_next, ended_if(in, ends_in_next(in)),
-        "the hit was compared with the t_max of the node from the stack: the leaf's is asked "
-        "before *at becomes that node")
-ANSWERS(before_t_min, ended_if(in, in->t >= in->at.t_min && IS_END),
-        "a hit before t_min ends the search, too: it is in this leaf or before it, and all that "
-        "waits is farther away")
-ANSWERS(one_left, ended_if(in, IS_END || in->todo.n == 1),
-        "the search ended while one node was still waiting")
-// Which node such an answer hands on is not defined.
-EACH(swapped, (found->goes_on != 0) != WAITING.goes_on, "1 and 0 are swapped: 0 is the end")
-ONLY(hair, fabsf(in->t - in->at.t_max) < HAIR,
-     "only hits a hair before or beyond t_max are wrong: compare without an epsilon")
-
-// By what is handed on.
-static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
-{
-    answer.at.t_min = t_min;
-    answer.at.t_max = t_max;
-    return answer;
-}
-
 static NextWaitingAnswer with_at(NextWaitingAnswer answer, TodoEntry at)
 {
     answer.at = at;
-    return answer;
-}
-
-static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
-{
-    answer.todo.n++;
     return answer;
 }
 
@@ -146,36 +107,69 @@ static int is_waiting(const StackState *todo, u32 node)
     return i < todo->n;
 }
 
-ANSWERS(part_kept, with_part(WAITING, in->at.t_min, in->at.t_max),
-        "that is as if t_min and t_max were not taken from the stack with the node")
-ANSWERS(t_max_kept, with_part(WAITING, WAITING.at.t_min, in->at.t_max),
-        "that is as if t_max were not taken from the stack with the node")
-ANSWERS(t_min_kept, with_part(WAITING, in->at.t_min, WAITING.at.t_max),
-        "that is as if t_min were not taken from the stack with the node")
-ANSWERS(oldest, taken(in, IS_END, 0),
-        "that is as if the node that waits longest came from the stack first")
-ANSWERS(not_handed_on, with_at(WAITING, in->at),
-        "what was taken from the stack did not become *at: the search goes on with the same leaf")
-ANSWERS(nothing_taken, ((NextWaitingAnswer){WAITING.goes_on, in->at, in->todo}),
-        "nothing was taken from the stack: the search goes on with the same leaf")
-ANSWERS(stays, with_one_more(WAITING), "the node is not taken off the stack: it waits still")
-EACH(above_top,
-     WAITING.goes_on ? found->goes_on && found->todo.n == WAITING.todo.n &&
-                           found->at.node != in->at.node && !is_waiting(&in->todo, found->at.node)
-                     : !found->goes_on,
-     "what was taken is none of the entries that wait: the top one is todo->entries[todo->n - 1]")
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const int is_end = in->t < in->at.t_max;
+    const NextWaitingAnswer right = waiting(in);
 
-static const Known *const known[] = {
-    &any_hit,  &never_ends, &inverted,  &at_t_max,  &at_t_min,      &before_t_min,
-    &one_left, &swapped,    &hair,      &part_kept, &t_max_kept,    &t_min_kept,
-    &oldest,   &stays,      &above_top, &by_next,   &not_handed_on, &nothing_taken};
+    // By where the search ends.
+    ANSWERS(any_hit, ended_if(in, in->t < INFINITY),
+            "that is as if the search ended at any hit, also at one beyond t_max, which another "
+            "sphere may hide");
+    ANSWERS(never_ends, ended_if(in, 0),
+            "that is as if the search did not end before the stack is empty");
+    ANY(inverted, 2, IS_FOUND(ended_if(in, way ? in->t > in->at.t_max : !is_end)),
+        "that is as if the search went on where it has found a hit, and ended where it has not: "
+        "the comparison with t_max is inverted");
+    ANSWERS(at_t_max, ended_if(in, in->t <= in->at.t_max),
+            "a hit exactly at t_max must not end the search: a sphere that only the next leaf "
+            "lists may be just as far away");
+    ANY(at_t_min, 2, IS_FOUND(ended_if(in, way ? in->t <= in->at.t_min : in->t < in->at.t_min)),
+        "that is as if the hit were compared with the leaf's t_min: its t_max counts");
+
+    ANSWERS(by_next, ended_if(in, ends_in_next(in)),
+            "the hit was compared with the t_max of the node from the stack: the leaf's is asked "
+            "before *at becomes that node");
+    ANSWERS(before_t_min, ended_if(in, in->t >= in->at.t_min && is_end),
+            "a hit before t_min ends the search, too: it is in this leaf or before it, and all "
+            "that waits is farther away");
+    ANSWERS(one_left, ended_if(in, is_end || in->todo.n == 1),
+            "the search ended while one node was still waiting");
+    // Which node such an answer hands on is not defined.
+    EACH(swapped, (found->goes_on != 0) != right.goes_on, "1 and 0 are swapped: 0 is the end");
+    ONLY(hair, fabsf(in->t - in->at.t_max) < HAIR,
+         "only hits a hair before or beyond t_max are wrong: compare without an epsilon");
+
+    ANSWERS(part_kept, with_part(right, in->at.t_min, in->at.t_max),
+            "that is as if t_min and t_max were not taken from the stack with the node");
+    ANSWERS(t_max_kept, with_part(right, right.at.t_min, in->at.t_max),
+            "that is as if t_max were not taken from the stack with the node");
+    ANSWERS(t_min_kept, with_part(right, in->at.t_min, right.at.t_max),
+            "that is as if t_min were not taken from the stack with the node");
+    ANSWERS(oldest, taken(in, is_end, 0),
+            "that is as if the node that waits longest came from the stack first");
+    ANSWERS(
+        not_handed_on, with_at(right, in->at),
+        "what was taken from the stack did not become *at: the search goes on with the same leaf");
+    ANSWERS(nothing_taken, ((NextWaitingAnswer){right.goes_on, in->at, in->todo}),
+            "nothing was taken from the stack: the search goes on with the same leaf");
+    ANSWERS(stays, with_one_more(right), "the node is not taken off the stack: it waits still");
+    EACH(above_top,
+         right.goes_on ? found->goes_on && found->todo.n == right.todo.n &&
+                             found->at.node != in->at.node && !is_waiting(&in->todo, found->at.node)
+                       : !found->goes_on,
+         "what was taken is none of the entries that wait: the top one is todo->entries[todo->n - "
+         "1]");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const NextWaitingAnswer expected = WAITING;
+    const NextWaitingAnswer expected = waiting(in);
     return message_new("the nearest hit is at %.9g, the leaf's part [%g, %g], and %u node%s "
                        "waiting: your code %s, expected: it %s",
                        in->t, in->at.t_min, in->at.t_max, in->todo.n,

@@ -54,20 +54,12 @@ static const JudgeCheck checks[] = {
 };
 
 static const JobPart parts[] = {
-    PART("areas", "surface_area", Job08, areas),
-    PART("costs", "split_cost", Job08, costs),
-    PART("bests", "find_best_split", Job08, bests),
-    PART("best_spheres", "find_best_split", Job08, best_spheres),
-    PART("best_ids", "find_best_split", Job08, best_ids),
-    PART("decisions", "is_leaf_by_cost", Job08, decisions),
-};
-
-static const ProbeStep steps[] = {
-    ON_HOST("areas", "surface_area", BBox3D, tree3d_describe_box),
-    ON_DEVICE("costs", "split_cost", CostJob),
-    ON_DEVICE("bests", "find_best_split", BestJob),
-    ON_DEVICE("decisions", "is_leaf_by_cost", LeafCostJob),
-    ON_SCENES("tree", "while kdtree3d_build_sah built a whole tree", NULL),
+    INPUTS("areas", "surface_area", Job08, areas, .describe = tree3d_describe_box),
+    INPUTS("costs", "split_cost", Job08, costs),
+    INPUTS("bests", "find_best_split", Job08, bests),
+    DATA("best_spheres", "find_best_split", Job08, best_spheres),
+    DATA("best_ids", "find_best_split", Job08, best_ids),
+    INPUTS("decisions", "is_leaf_by_cost", Job08, decisions),
 };
 
 const Judge judge_08 = {
@@ -79,7 +71,6 @@ const Judge judge_08 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(tree3d_scene_kind, Job08, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"tree", "while kdtree3d_build_sah built a whole tree", NULL}},
     .add_pictures = tree3d_add_pictures,
 };

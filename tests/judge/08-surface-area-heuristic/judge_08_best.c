@@ -24,10 +24,7 @@ typedef struct Plane {
 
 // A way of searching. All zeros is the right one.
 typedef struct Way {
-    Reach (*reach)(const SahNode *node, u32 j, u32 axis);          // of sphere j of the node
-    int (*asks)(const SahNode *node, const Plane *planes, int i);  // plane number i of an axis
     int from_border, to_border;  // the cell's borders are asked, too
-    int (*takes)(const SahNode *node, const Plane *plane, const Plane *best);
     int carries;       // the bins of an axis begin with what those of the axis before hold
     int counts_ended;  // in the place of the higher child's spheres those that it has not
     int is_stand_in;   // split_cost is that of tests/stand_ins
@@ -38,29 +35,34 @@ static double stand_in_cost(BBox3D box, CostJob split, u32 n_lower, u32 n_higher
 #include "08-surface-area-heuristic/split_cost.c"
 }
 
-static int from_of(const SahNode *node, f32 begin, u32 axis)
+// An axis of a cell.
+typedef struct Side {
+    BBox3D box;
+    u32 axis;
+} Side;
+
+static int from_of(Side side, f32 begin)
 {
     int from = 1;
-    while (from < SAH_BINS && begin > sah_plane_at(node->box, axis, from)) {
+    while (from < SAH_BINS && begin > sah_plane_at(side.box, side.axis, from)) {
         from++;
     }
     return from;
 }
 
-static int to_of(const SahNode *node, f32 end, u32 axis)
+static int to_of(Side side, f32 end)
 {
     int to = SAH_BINS - 1;
-    while (to > 0 && end < sah_plane_at(node->box, axis, to)) {
+    while (to > 0 && end < sah_plane_at(side.box, side.axis, to)) {
         to--;
     }
     return to;
 }
 
-static Reach right_reach(const SahNode *node, u32 j, u32 axis)
+static Reach reach_of(Side side, Sphere sphere)
 {
-    const Sphere sphere = node->spheres[node->ids[j]];
-    const f32 centre = sah_centre(sphere, axis), radius = fabsf(sphere.radius);
-    return (Reach){from_of(node, centre - radius, axis), to_of(node, centre + radius, axis)};
+    const f32 centre = sah_centre(sphere, side.axis), radius = fabsf(sphere.radius);
+    return (Reach){from_of(side, centre - radius), to_of(side, centre + radius)};
 }
 
 // The planes of all axes, by their numbers, those on the borders too.
@@ -68,21 +70,31 @@ typedef struct Planes {
     Plane of[3][SAH_BINS + 1];
 } Planes;
 
-static Planes weighed(const SahNode *node, u32 lot, Way way)
+// Those of a cell, without a sphere.
+static Planes planes_of(BBox3D box)
 {
     Planes planes = {0};
     for (u32 axis = 0; axis < 3; axis++) {
-        Plane *of = planes.of[axis];
         for (int i = 0; i <= SAH_BINS; i++) {
-            of[i].split = (CostJob){node->box, axis, sah_plane_at(node->box, axis, i), 0, 0};
+            planes.of[axis][i].split = (CostJob){box, axis, sah_plane_at(box, axis, i), 0, 0};
         }
-        for (u32 j = 0; j < node->n_ids; j++) {
-            const Reach reach = (way.reach != NULL ? way.reach : right_reach)(node, j, axis);
-            for (int i = 1; i < SAH_BINS; i++) {
-                of[i].split.n_lower += i >= reach.from;
-                of[i].split.n_higher += i <= reach.to;
-            }
-        }
+    }
+    return planes;
+}
+
+static void count_sphere(Planes *planes, u32 axis, Reach reach)
+{
+    for (int i = 1; i < SAH_BINS; i++) {
+        planes->of[axis][i].split.n_lower += i >= reach.from;
+        planes->of[axis][i].split.n_higher += i <= reach.to;
+    }
+}
+
+// With their costs, once all spheres are counted.
+static Planes weighed(const SahNode *node, Planes planes, u32 lot, Way way)
+{
+    for (u32 axis = 0; axis < 3; axis++) {
+        Plane *of = planes.of[axis];
         for (int i = 1; way.counts_ended && i < SAH_BINS; i++) {
             of[i].split.n_higher = node->n_ids - of[i].split.n_higher;
         }
@@ -101,16 +113,26 @@ static Planes weighed(const SahNode *node, u32 lot, Way way)
     return planes;
 }
 
+// As a right search counts the spheres.
+static Planes counted(const SahNode *node)
+{
+    Planes planes = planes_of(node->box);
+    for (u32 axis = 0; axis < 3; axis++) {
+        for (u32 j = 0; j < node->n_ids; j++) {
+            const Sphere sphere = node->spheres[node->ids[j]];
+            count_sphere(&planes, axis, reach_of((Side){node->box, axis}, sphere));
+        }
+    }
+    return planes;
+}
+
 static Plane best_of(const SahNode *node, const Planes *planes, Way way)
 {
     Plane best = {.cost = INFINITY};
     for (u32 axis = 0; axis < 3 && sah_area(node->box) > 0; axis++) {
         for (int i = 1 - way.from_border; i < SAH_BINS + way.to_border; i++) {
             const Plane *plane = &planes->of[axis][i];
-            if ((way.asks == NULL || way.asks(node, planes->of[axis], i)) &&
-                (way.takes != NULL ? way.takes(node, plane, &best) : plane->cost < best.cost)) {
-                best = *plane;
-            }
+            best = plane->cost < best.cost ? *plane : best;
         }
     }
     return best;
@@ -127,39 +149,58 @@ static SahNode node_of(const Job08 *job, int i)
     return (SahNode){in.box, job->best_spheres, job->best_ids + in.first_id, NULL, in.n_ids};
 }
 
-// Is this an answer of the search? Of exact ties only the first plane is right; elsewhere the costs
-// of two planes may be so near that float takes one for the other.
-static int follows(const Job08 *job, int i, BestAnswer found, Way way)
+// Is this an answer of a search that finds the plane? Of exact ties only the first one is right;
+// elsewhere the costs of two planes may be so near that float takes one for the other.
+static int is_search(int i, BestAnswer found, const Planes *planes, Plane best)
 {
-    const SahNode node = node_of(job, i);
-    way.is_stand_in |= job->job.is_alone;
-    const Planes planes = weighed(&node, job->job.lot, way);
-    const Plane best = best_of(&node, &planes, way);
     if (best.cost == INFINITY) {
         return found.cost == INFINITY;
     }
     const int is_tie = i >= N_CELLS && i < N_CELLS + N_TIES;
-    const int number = found.axis < 3 ? sah_plane_number(node.box, found.axis, found.pos) : 0;
+    const BBox3D box = best.split.box;
+    const int number = found.axis < 3 ? sah_plane_number(box, found.axis, found.pos) : 0;
     const int is_best = found.axis == best.split.axis && found.pos == best.split.pos;
     const double tolerance = SAH_COST_TOLERANCE * best.cost;
     return fabs(found.cost - best.cost) <= tolerance &&
            (is_best || (!is_tie && number > 0 &&
-                        planes.of[found.axis][number].cost <= best.cost + 2 * tolerance));
+                        planes->of[found.axis][number].cost <= best.cost + 2 * tolerance));
+}
+
+// The same of one that counts the spheres so.
+static int follows_counts(const Job08 *job, int i, BestAnswer found, Planes counts, Way way)
+{
+    const SahNode node = node_of(job, i);
+    way.is_stand_in |= job->job.is_alone;
+    const Planes planes = weighed(&node, counts, job->job.lot, way);
+    return is_search(i, found, &planes, best_of(&node, &planes, way));
+}
+
+static int follows(const Job08 *job, int i, BestAnswer found, Way way)
+{
+    const SahNode node = node_of(job, i);
+    return follows_counts(job, i, found, counted(&node), way);
 }
 
 RIGHT(is_best, follows(job, i, found, (Way){0}))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-// Which planes are asked.
-#define ASKS(name, expression, ...)                                                                \
-    static int name##_asks(const SahNode *node, const Plane *planes, int i)                        \
-    {                                                                                              \
-        const u32 axis = planes->split.axis;                                                       \
-        (void)node, (void)axis, (void)i;                                                           \
-        return expression;                                                                         \
+// Which plane is taken in the place of the best one so far: the `plane` number `at` of an axis.
+#define TAKES_OF(name, n_ways, is_taken, ...)                                                      \
+    for (int k = 0; number == 0 && has_area && k < 3 * (SAH_BINS - 1); k++) {                      \
+        const u32 axis = (u32)k / (SAH_BINS - 1);                                                  \
+        const int at = 1 + k % (SAH_BINS - 1);                                                     \
+        const Plane *plane = &planes.of[axis][at];                                                 \
+        const int is_less = plane->cost < best.cost, is_equal = plane->cost == best.cost;          \
+        const int is_other_axis = axis != best.split.axis;                                         \
+        (void)is_less, (void)is_equal, (void)is_other_axis;                                        \
+        best = (is_taken) ? *plane : best;                                                         \
     }                                                                                              \
-    EACH(name, follows(job, i, found, (Way){.asks = name##_asks}), __VA_ARGS__)
+    ONE_OF(name, n_ways, is_search(i, found, &planes, best), __VA_ARGS__)
+#define TAKES(name, is_taken, ...) TAKES_OF(name, 1, is_taken, __VA_ARGS__)
+
+// Which planes are asked.
+#define ASKS(name, is_asked, ...) TAKES(name, is_less && (is_asked), __VA_ARGS__)
 
 static u32 longest_axis(BBox3D box)
 {
@@ -181,132 +222,46 @@ static int rises_before(const Plane *planes, int i)
     return k < i;
 }
 
-ASKS(longest_only, axis == longest_axis(node->box),
-     "only the longest side is searched, not all three")
-ASKS(no_z, axis != 2, "planes across z are not searched")
-ASKS(no_y, axis != 1, "planes across y are not searched")
-ASKS(only_x, axis == 0, "only planes across x are searched")
-ASKS(no_first, i != 1, "the first plane is not asked")
-ASKS(no_last, i != SAH_BINS - 1, "the last plane is not asked")
-ASKS(stops_rising, !rises_before(planes, i),
-     "behind a plane that costs more than the one before a cheaper one may come: all are asked")
-ASKS(no_empty, planes[i].split.n_lower > 0 && planes[i].split.n_higher > 0,
-     "a plane that leaves a child empty is a candidate, too")
-ASKS(below_leaf, planes[i].cost < SAH_TEST * node->n_ids,
-     "the cheapest plane is searched, also where a leaf is cheaper: that is asked later")
-
-// Which of them is taken in the place of the best one so far.
-#define TAKES(name, expression, ...)                                                               \
-    static int name##_takes(const SahNode *node, const Plane *plane, const Plane *best)            \
-    {                                                                                              \
-        (void)node;                                                                                \
-        return expression;                                                                         \
-    }                                                                                              \
-    EACH(name, follows(job, i, found, (Way){.takes = name##_takes}), __VA_ARGS__)
-#define IS_OTHER_AXIS (plane->split.axis != best->split.axis)
-#define IS_EQUAL (plane->cost == best->cost)
-#define IS_LESS (plane->cost < best->cost)
-
-#define EPSILON "a plane that is cheaper by however little is the better one: no epsilon"
-TAKES(last_of_equals, IS_LESS || IS_EQUAL,
-      "of equal costs the first plane counts: x before y before z, and the lower one first",
-      MISTAKE_LATER_OF_EQUALS)
-TAKES(later_axis, IS_LESS || (IS_EQUAL && IS_OTHER_AXIS),
-      "of equal costs on several axes x counts before y, and y before z")
-TAKES(later_plane, IS_LESS || (IS_EQUAL && !IS_OTHER_AXIS),
-      "of equal costs on an axis the lower plane counts")
-TAKES(last_axis, IS_LESS || IS_OTHER_AXIS,
-      "the cheapest of all three axes counts, not of the last one")
-TAKES(dearest, isinf(best->cost) || plane->cost > best->cost,
-      "that is the plane with the highest cost")
-TAKES(gain_2, plane->cost < best->cost - 1e-2, EPSILON)
-TAKES(gain_3, plane->cost < best->cost - 1e-3, EPSILON)
-TAKES(gain_4, plane->cost < best->cost - 1e-4, EPSILON)
-TAKES(gain_5, plane->cost < best->cost - 1e-5, EPSILON)
-TAKES(share_2, plane->cost < best->cost * (1 - 1e-2), EPSILON)
-TAKES(share_3, plane->cost < best->cost * (1 - 1e-3), EPSILON)
-TAKES(share_4, plane->cost < best->cost * (1 - 1e-4), EPSILON)
-
-// Which spheres are counted on either side.
-#define COUNTS(name, from_plane, to_plane, ...)                                                    \
-    static Reach name##_reach(const SahNode *node, u32 j, u32 axis)                                \
-    {                                                                                              \
-        const Sphere sphere = node->spheres[node->ids[j]];                                         \
-        const f32 centre = sah_centre(sphere, axis), radius = fabsf(sphere.radius);                \
-        const f32 begin = centre - radius, end = centre + radius;                                  \
-        const int from = from_of(node, begin, axis), to = to_of(node, end, axis);                  \
-        (void)from, (void)to;                                                                      \
-        return (Reach){from_plane, to_plane};                                                      \
-    }                                                                                              \
-    EACH(name, follows(job, i, found, (Way){.reach = name##_reach}), __VA_ARGS__)
-#define FROM(begin) from_of(node, begin, axis)
-#define TO(end) to_of(node, end, axis)
-#define ABOVE(begin) from_of(node, nextafterf(begin, INFINITY), axis)
-#define BELOW(end) to_of(node, nextafterf(end, -INFINITY), axis)
-
 // In bins, of which the first is never read where all are looked up one behind.
-#define FROM_EARLY (from > 1 ? from - 1 : NEVER)
-#define TO_EARLY (to > 0 ? to - 1 : NEVER)
-
-#define BY_CENTRE "a sphere counts by its range, not by its centre"
-COUNTS(by_centre, FROM(centre), TO(centre), BY_CENTRE)
-COUNTS(by_centre_lower, FROM(centre), BELOW(centre), BY_CENTRE)
-COUNTS(by_centre_higher, ABOVE(centre), TO(centre), BY_CENTRE)
-COUNTS(begin_above, ABOVE(begin), to,
-       "a range that begins at the plane counts in the lower child, too", MISTAKE_STRICT_BOUNDARY)
-COUNTS(end_below, from, BELOW(end),
-       "a range that ends at the plane counts in the higher child, too", MISTAKE_STRICT_BOUNDARY)
-COUNTS(both_strict, ABOVE(begin), BELOW(end),
-       "a range that only touches the plane counts in both children", MISTAKE_STRICT_BOUNDARY)
-COUNTS(signed_radius, FROM(centre - sphere.radius), TO(centre + sphere.radius),
-       "a negative radius counts as its absolute value")
-COUNTS(begin_in_cell, begin >= node->box.min[axis] ? from : NEVER, to,
-       "a sphere that begins before the cell is in its lower child, too")
-COUNTS(ends_late, from, to + 1,
-       "a sphere that ends in the bin before a plane is not in its higher child any more")
-COUNTS(ends_early, from, TO_EARLY,
-       "the ends are off by one bin: who ends in the bin behind a plane is in its higher child "
-       "still")
-COUNTS(begins_late, from + 1, to,
-       "the begins are off by one bin: who begins in the bin before a plane is in its lower child")
-COUNTS(begins_early, FROM_EARLY, to,
-       "the begins are off by one bin: who begins in the bin behind a plane is not yet in its "
-       "lower child")
-COUNTS(all_early, FROM_EARLY, TO_EARLY,
-       "all bins are off by one: at a plane only those before it are counted, up to bin plane - 1")
-COUNTS(all_late, from + 1, to + 1,
-       "all bins are off by one: at a plane the bin just before it, plane - 1, is counted, too")
-COUNTS(higher_keeps, from, NEVER,
-       "the higher child keeps all spheres: those that end before the plane leave it")
-COUNTS(rest_is_higher, from, from - 1,
-       "a sphere over the plane is in both children: the higher one has more than the rest")
-
-static Reach unnamed_reach(const SahNode *node, u32 j, u32 axis)
+static int from_early(int from)
 {
-    SahNode all = *node;
-    all.ids = &j;
-    return right_reach(&all, 0, axis);
+    return from > 1 ? from - 1 : NEVER;
 }
 
-EACH(unnamed, follows(job, i, found, (Way){.reach = unnamed_reach}),
-     "the node's spheres are those that its ids name")
-EACH(border,
-     follows(job, i, found, (Way){.to_border = 1}) ||
-         follows(job, i, found, (Way){.from_border = 1}) ||
-         follows(job, i, found, (Way){.from_border = 1, .to_border = 1}),
-     "the border of the cell is asked, too: only planes within the cell are candidates")
-EACH(carried_over, follows(job, i, found, (Way){.carries = 1}),
-     "the bins of an axis begin with what those of the axis before hold, not with 0")
+static int to_early(int to)
+{
+    return to > 0 ? to - 1 : NEVER;
+}
 
-EACH(ended_counted, follows(job, i, found, (Way){.counts_ended = 1}),
-     "who has ended before a plane has left the higher child: it has the others")
+static int above(Side side, f32 begin)
+{
+    return from_of(side, nextafterf(begin, INFINITY));
+}
+
+static int below(Side side, f32 end)
+{
+    return to_of(side, nextafterf(end, -INFINITY));
+}
+
+// On which planes a sphere counts, from `begin` to `end` on an axis.
+#define COUNTS(name, from_plane, to_plane, ...)                                                    \
+    for (u32 k = 0; number == 0 && k < 3 * node.n_ids; k++) {                                      \
+        const Side side = {node.box, k % 3};                                                       \
+        const Sphere sphere = node.spheres[node.ids[k / 3]];                                       \
+        const f32 centre = sah_centre(sphere, side.axis), radius = fabsf(sphere.radius);           \
+        const f32 begin = centre - radius, end = centre + radius;                                  \
+        const int from = from_of(side, begin), to = to_of(side, end);                              \
+        (void)from, (void)to;                                                                      \
+        count_sphere(&counts, side.axis, (Reach){from_plane, to_plane});                           \
+    }                                                                                              \
+    EACH(name, follows_counts(job, i, found, counts, (Way){0}), __VA_ARGS__)
 
 // What is kept of the cheapest plane.
 static int is_best_with(const Job08 *job, int i, BestAnswer found, int keeps_axis, int keeps_pos)
 {
     const SahNode node = node_of(job, i);
     const Way way = {.is_stand_in = job->job.is_alone};
-    const Planes planes = weighed(&node, job->job.lot, way);
+    const Planes planes = weighed(&node, counted(&node), job->job.lot, way);
     const Plane best = best_of(&node, &planes, way);
     if (best.cost == INFINITY) {
         return found.cost == INFINITY;
@@ -315,18 +270,6 @@ static int is_best_with(const Job08 *job, int i, BestAnswer found, int keeps_axi
            found.axis == (keeps_axis ? best.split.axis : 0) &&
            found.pos == (keeps_pos ? best.split.pos : 0);
 }
-
-EACH(pos_lost, is_best_with(job, i, found, 1, 0),
-     "the cheapest plane's cost and axis are kept, but not its position")
-EACH(axis_lost, is_best_with(job, i, found, 0, 1),
-     "the cheapest plane's cost and position are kept, but not its axis")
-EACH(plane_lost, is_best_with(job, i, found, 0, 0),
-     "the cheapest plane's cost is kept, but not the plane: best.split is to be set, too")
-
-EACH(nan_is_taken, sah_area(in.box) > 0 ? is_best(job, i, answers) : isnan(found.cost),
-     "in a cell without area each cost is NaN, and is taken: only a lower cost may be")
-ONLY(many_lost, i == MANY_NODE,
-     "only the node with the most spheres is wrong: a bin holds more of them than 16 bits count")
 
 // Of whatever search: is the plane that was found a candidate, and the cost that of this plane?
 typedef enum Kept { NO_PLANE, OTHER_COST, RIGHT_COST } Kept;
@@ -340,24 +283,121 @@ static Kept kept_of(const Job08 *job, int i, BestAnswer found)
                                                                        : RIGHT_COST;
 }
 
-ONLY(not_cheapest, kept_of(job, i, found) == RIGHT_COST,
-     "the cost is that of the plane that is kept, but another plane is cheaper: it is not asked, "
-     "or not kept")
-ONLY(miscounted, kept_of(job, i, found) != NO_PLANE,
-     "the cost that is kept is not always that of the plane that is kept: in its children too many "
-     "or too few spheres are counted, or it is another plane's")
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const Job *base = job;
+    const SahNode node = node_of(job, i);
+    const int has_area = sah_area(in.box) > 0;
+    const Planes planes =
+        weighed(&node, counted(&node), base->lot, (Way){.is_stand_in = base->is_alone});
+    Planes counts = planes_of(in.box);
+    Plane best = {.split.box = in.box, .cost = INFINITY};
 
-static const Known *const known[] = {
-    &longest_only,   &no_z,         &no_y,           &only_x,          &no_first,
-    &no_last,        &border,       &stops_rising,   &no_empty,        &below_leaf,
-    &last_of_equals, &later_axis,   &later_plane,    &last_axis,       &dearest,
-    &gain_2,         &gain_3,       &gain_4,         &gain_5,          &share_2,
-    &share_3,        &share_4,      &by_centre,      &by_centre_lower, &by_centre_higher,
-    &begin_above,    &end_below,    &both_strict,    &signed_radius,   &begin_in_cell,
-    &ends_late,      &ends_early,   &begins_late,    &begins_early,    &all_early,
-    &all_late,       &higher_keeps, &rest_is_higher, &unnamed,         &carried_over,
-    &nan_is_taken,   &many_lost,    &ended_counted,  &pos_lost,        &axis_lost,
-    &plane_lost,     &not_cheapest, &miscounted};
+    ASKS(longest_only, axis == longest_axis(in.box),
+         "only the longest side is searched, not all three");
+    ASKS(no_z, axis != 2, "planes across z are not searched");
+    ASKS(no_y, axis != 1, "planes across y are not searched");
+    ASKS(only_x, axis == 0, "only planes across x are searched");
+    ASKS(no_first, at != 1, "the first plane is not asked");
+    ASKS(no_last, at != SAH_BINS - 1, "the last plane is not asked");
+    ASKS(
+        stops_rising, !rises_before(planes.of[axis], at),
+        "behind a plane that costs more than the one before a cheaper one may come: all are asked");
+    ASKS(no_empty, plane->split.n_lower > 0 && plane->split.n_higher > 0,
+         "a plane that leaves a child empty is a candidate, too");
+    ASKS(below_leaf, plane->cost < SAH_TEST * in.n_ids,
+         "the cheapest plane is searched, also where a leaf is cheaper: that is asked later");
+
+#define EPSILON "a plane that is cheaper by however little is the better one: no epsilon"
+    TAKES(last_of_equals, is_less || is_equal,
+          "of equal costs the first plane counts: x before y before z, and the lower one first",
+          MISTAKE_LATER_OF_EQUALS);
+    TAKES(later_axis, is_less || (is_equal && is_other_axis),
+          "of equal costs on several axes x counts before y, and y before z");
+    TAKES(later_plane, is_less || (is_equal && !is_other_axis),
+          "of equal costs on an axis the lower plane counts");
+    TAKES(last_axis, is_less || is_other_axis,
+          "the cheapest of all three axes counts, not of the last one");
+    TAKES(dearest, isinf(best.cost) || plane->cost > best.cost,
+          "that is the plane with the highest cost");
+    static const double epsilons[] = {1e-2, 1e-3, 1e-4, 1e-5};
+    TAKES_OF(gain, 4, plane->cost < best.cost - epsilons[way], EPSILON);
+    TAKES_OF(share, 3, plane->cost < best.cost * (1 - epsilons[way]), EPSILON);
+
+#define BY_CENTRE "a sphere counts by its range, not by its centre"
+    COUNTS(by_centre, from_of(side, centre), to_of(side, centre), BY_CENTRE);
+    COUNTS(by_centre_lower, from_of(side, centre), below(side, centre), BY_CENTRE);
+    COUNTS(by_centre_higher, above(side, centre), to_of(side, centre), BY_CENTRE);
+    COUNTS(begin_above, above(side, begin), to,
+           "a range that begins at the plane counts in the lower child, too",
+           MISTAKE_STRICT_BOUNDARY);
+    COUNTS(end_below, from, below(side, end),
+           "a range that ends at the plane counts in the higher child, too",
+           MISTAKE_STRICT_BOUNDARY);
+    COUNTS(both_strict, above(side, begin), below(side, end),
+           "a range that only touches the plane counts in both children", MISTAKE_STRICT_BOUNDARY);
+    COUNTS(signed_radius, from_of(side, centre - sphere.radius),
+           to_of(side, centre + sphere.radius), "a negative radius counts as its absolute value");
+    COUNTS(begin_in_cell, begin >= node.box.min[side.axis] ? from : NEVER, to,
+           "a sphere that begins before the cell is in its lower child, too");
+    COUNTS(ends_late, from, to + 1,
+           "a sphere that ends in the bin before a plane is not in its higher child any more");
+    COUNTS(ends_early, from, to_early(to),
+           "the ends are off by one bin: who ends in the bin behind a plane is in its higher child "
+           "still");
+    COUNTS(begins_late, from + 1, to,
+           "the begins are off by one bin: who begins in the bin before a plane is in its lower "
+           "child");
+    COUNTS(begins_early, from_early(from), to,
+           "the begins are off by one bin: who begins in the bin behind a plane is not yet in its "
+           "lower child");
+    COUNTS(all_early, from_early(from), to_early(to),
+           "all bins are off by one: at a plane only those before it are counted, up to bin plane "
+           "- 1");
+    COUNTS(
+        all_late, from + 1, to + 1,
+        "all bins are off by one: at a plane the bin just before it, plane - 1, is counted, too");
+    COUNTS(higher_keeps, from, NEVER,
+           "the higher child keeps all spheres: those that end before the plane leave it");
+    COUNTS(rest_is_higher, from, from - 1,
+           "a sphere over the plane is in both children: the higher one has more than the rest");
+
+    COUNTS(unnamed, reach_of(side, node.spheres[k / 3]).from,
+           reach_of(side, node.spheres[k / 3]).to,
+           "the node's spheres are those that its ids name");
+    EACH(border,
+         follows(job, i, found, (Way){.to_border = 1}) ||
+             follows(job, i, found, (Way){.from_border = 1}) ||
+             follows(job, i, found, (Way){.from_border = 1, .to_border = 1}),
+         "the border of the cell is asked, too: only planes within the cell are candidates");
+    EACH(carried_over, follows(job, i, found, (Way){.carries = 1}),
+         "the bins of an axis begin with what those of the axis before hold, not with 0");
+
+    EACH(ended_counted, follows(job, i, found, (Way){.counts_ended = 1}),
+         "who has ended before a plane has left the higher child: it has the others");
+
+    EACH(pos_lost, is_best_with(job, i, found, 1, 0),
+         "the cheapest plane's cost and axis are kept, but not its position");
+    EACH(axis_lost, is_best_with(job, i, found, 0, 1),
+         "the cheapest plane's cost and position are kept, but not its axis");
+    EACH(plane_lost, is_best_with(job, i, found, 0, 0),
+         "the cheapest plane's cost is kept, but not the plane: best.split is to be set, too");
+
+    EACH(nan_is_taken, sah_area(in.box) > 0 ? is_best(job, i, answers) : isnan(found.cost),
+         "in a cell without area each cost is NaN, and is taken: only a lower cost may be");
+    ONLY(many_lost, i == MANY_NODE,
+         "only the node with the most spheres is wrong: a bin holds more of them than 16 bits "
+         "count");
+
+    ONLY(not_cheapest, kept_of(job, i, found) == RIGHT_COST,
+         "the cost is that of the plane that is kept, but another plane is cheaper: it is not "
+         "asked, or not kept");
+    ONLY(miscounted, kept_of(job, i, found) != NO_PLANE,
+         "the cost that is kept is not always that of the plane that is kept: in its children too "
+         "many or too few spheres are counted, or it is another plane's");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

@@ -83,23 +83,15 @@ static const JudgeCheck checks[] = {
 };
 
 static const JobPart parts[] = {
-    PART("starts", "leave_surface", Job09, starts),
-    PART("mirrors", "mirrored_direction", Job09, mirrors),
-    PART("shadow_rays", "shadow_ray", Job09, shadow_rays),
-    PART("blocks", "leaf_blocks", Job09, blocks),
-    PART("block_ids", "leaf_blocks", Job09, block_ids),
-    PART("block_spheres", "leaf_blocks", Job09, block_spheres),
-    PART("lits", NULL, Job09, lits),  // alone with other points: write_alone_09()
-    PART("lit_lights", NULL, Job09, lit_lights),
-};
-
-static const ProbeStep steps[] = {
-    ON_DEVICE("starts", "leave_surface", StartJob),
-    ON_DEVICE("mirrors", "mirrored_direction", MirrorJob),
-    ON_DEVICE("shadow_rays", "shadow_ray", ShadowRayJob),
-    ON_DEVICE("blocks", "leaf_blocks", BlockJob),
-    ON_DEVICE("lits", "lit_color", LitJob),
-    ON_SCENES("picture", "in render_mirrors", NULL),
+    INPUTS("starts", "leave_surface", Job09, starts),
+    INPUTS("mirrors", "mirrored_direction", Job09, mirrors),
+    INPUTS("shadow_rays", "shadow_ray", Job09, shadow_rays),
+    INPUTS("blocks", "leaf_blocks", Job09, blocks),
+    DATA("block_ids", "leaf_blocks", Job09, block_ids),
+    DATA("block_spheres", "leaf_blocks", Job09, block_spheres),
+    INPUTS("lits", "lit_color", Job09, lits,
+           .is_apart = 1),  // alone with other points: write_alone_09()
+    DATA("lit_lights", NULL, Job09, lit_lights),
 };
 
 const Judge judge_09 = {
@@ -111,8 +103,7 @@ const Judge judge_09 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job09, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"picture", "in render_mirrors", NULL}},
     .write_scene = write_scene,
     .write_alone = write_alone_09,
 };

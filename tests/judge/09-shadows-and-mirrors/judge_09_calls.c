@@ -24,11 +24,6 @@ typedef struct HitSurface {
     const Material *material;
 } HitSurface;
 
-static Vec3 rounded(OracleVector v)
-{
-    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
-}
-
 // ---- leaf_blocks --------------------------------------------------------------------------------
 
 // Any leaf of the scene's tree.
@@ -53,7 +48,7 @@ static void keep_block(Random *random, const JobScene3D *scene, const OracleRay 
         return;
     }
     const OracleVector middle = vector_plus(ray->origin, vector_scaled(t_max / 2, ray->direction));
-    const Vec3 guard = rounded(middle);
+    const Vec3 guard = vector_rounded(middle);
     for (u32 at = before; at <= end; at++) {
         const u32 id = before + end - at;
         const int is_guard = at == before || at == end;
@@ -63,8 +58,8 @@ static void keep_block(Random *random, const JobScene3D *scene, const OracleRay 
                      : scene->scene.spheres[scene->tree.sphere_ids[leaf.first + at - before - 1]];
     }
     job->blocks[calls->n_blocks++] = (BlockJob){{0, KD_LEAF, before + 1, leaf.n_spheres},
-                                                rounded(ray->origin),
-                                                rounded(ray->direction),
+                                                vector_rounded(ray->origin),
+                                                vector_rounded(ray->direction),
                                                 t_max};
     calls->next_id = end + 1;
 }
@@ -95,7 +90,7 @@ static void keep_lights(Random *random, int k, const HitSurface *at, Calls *call
             .n_unsure == 0) {
         sent_keep(&calls->lits, random, &lit);
     }
-    const OracleRay ray = oracle3d_given_ray(at->point, rounded(vector_unit(way)), 0);
+    const OracleRay ray = oracle3d_given_ray(at->point, vector_rounded(vector_unit(way)), 0);
     keep_block(random, scene, &ray, (float)vector_length(way), calls);
 }
 
@@ -112,16 +107,18 @@ static int keep_hit(Random *random, int k, OracleRay *ray, Calls *calls)
         return 0;
     }
     const Sphere sphere = s->spheres[hit.sphere];
-    const Vec3 direction = rounded(ray->direction);
-    const Vec3 point = rounded(vector_plus(ray->origin, vector_scaled(hit.t, ray->direction)));
+    const Vec3 direction = vector_rounded(ray->direction);
+    const Vec3 point =
+        vector_rounded(vector_plus(ray->origin, vector_scaled(hit.t, ray->direction)));
     const OracleNear normal =
         oracle3d_normal(sphere, oracle3d_exactly(point), oracle3d_exactly(direction), &right);
     if (isinf(normal.error)) {
         return 0;
     }
     const double off = 1.5 * oracle3d_offset(vector_of(point), hit.t, sphere.radius);
-    const HitSurface at = {rounded(vector_plus(vector_of(point), vector_scaled(off, normal.value))),
-                           rounded(normal.value), &s->materials[s->material_ids[hit.sphere]]};
+    const HitSurface at = {
+        vector_rounded(vector_plus(vector_of(point), vector_scaled(off, normal.value))),
+        vector_rounded(normal.value), &s->materials[s->material_ids[hit.sphere]]};
     const StartJob start = {point, at.normal, (float)hit.t, sphere.radius};
     const MirrorJob mirror = {direction, at.normal};
     sent_keep(&calls->starts, random, &start);
@@ -129,7 +126,7 @@ static int keep_hit(Random *random, int k, OracleRay *ray, Calls *calls)
     keep_lights(random, k, &at, calls);
     const OracleNear turned =
         oracle3d_mirrored(oracle3d_exactly(direction), oracle3d_exactly(at.normal), TURN_RIGHT);
-    *ray = oracle3d_given_ray(at.point, rounded(vector_unit(turned.value)), 0);
+    *ray = oracle3d_given_ray(at.point, vector_rounded(vector_unit(turned.value)), 0);
     return 1;
 }
 

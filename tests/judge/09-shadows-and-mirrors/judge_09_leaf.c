@@ -49,43 +49,57 @@ static Blocks between(const BlockJob *in, Sphere sphere, double start, double en
     return root.is_certain && root.t_high < end ? YES : EITHER;
 }
 
-// Does the sphere in place `at` of the ids block?
-typedef Blocks Asked(const Job09 *of, const BlockJob *in, u32 at);
-#define SPHERE(name, expression)                                                                   \
-    static Blocks name(const Job09 *of, const BlockJob *in, u32 at)                                \
-    {                                                                                              \
-        const Sphere sphere = of->block_spheres[of->block_ids[at]];                                \
-        (void)sphere;                                                                              \
-        return expression;                                                                         \
-    }
-SPHERE(right, between(in, sphere, 0, in->t_max))
+// The sphere in place `at` of the ids.
+static Sphere sphere_at(const Job09 *of, u32 at)
+{
+    return of->block_spheres[of->block_ids[at]];
+}
 
-// Of n spheres from a place on.
-static Blocks any_of(const Job09 *of, const BlockJob *in, Asked *asked, u32 first, u32 n)
+static Blocks right(const Job09 *of, const BlockJob *in, u32 at)
+{
+    return between(in, sphere_at(of, at), 0, in->t_max);
+}
+
+// Does one of two block?
+static Blocks either(Blocks a, Blocks b)
+{
+    return a == YES || b == NO ? a : b;
+}
+
+// Does one of n spheres from a place on, between these distances?
+static Blocks any_of(const Job09 *of, const BlockJob *in, u32 first, u32 n, double start,
+                     double end)
 {
     Blocks any = NO;
     for (u32 at = first; at < first + n && any != YES; at++) {
-        const Blocks own = asked(of, in, at);
-        any = own != NO ? own : any;
+        any = either(any, between(in, sphere_at(of, at), start, end));
     }
     return any;
 }
 
-static Blocks leaf_blocks(const Job09 *of, const BlockJob *in, Asked *asked)
+static Blocks some_of(const Job09 *of, const BlockJob *in, u32 first, u32 n)
 {
-    return any_of(of, in, asked, in->node.first, in->node.n_spheres);
+    return any_of(of, in, first, n, 0, in->t_max);
 }
 
-#define BLOCKS leaf_blocks(of, in, right)
+static Blocks leaf_blocks(const Job09 *of, const BlockJob *in)
+{
+    return some_of(of, in, in->node.first, in->node.n_spheres);
+}
 
-RIGHT(is_right, IS_FOUND(BLOCKS))
+RIGHT(is_right, IS_FOUND(leaf_blocks(of, in)))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-// By what a sphere is asked.
-#define ASKS(name, expression, ...)                                                                \
-    SPHERE(name##_sphere, expression)                                                              \
-    ANSWERS(name, leaf_blocks(of, in, name##_sphere), __VA_ARGS__)
+// By what the leaf's `sphere` in place `at` of the ids is asked, of which `root` is met.
+#define ASKS(name, blocks, ...)                                                                    \
+    for (u32 at = first; number == 0 && at < first + n && any != YES; at++) {                      \
+        const Sphere sphere = sphere_at(of, at);                                                   \
+        const OracleRoot root = root_of(in, sphere);                                               \
+        (void)root;                                                                                \
+        any = either(any, blocks);                                                                 \
+    }                                                                                              \
+    ANSWERS(name, any, __VA_ARGS__)
 
 static int is_behind(const BlockJob *in, OracleRoot root)
 {
@@ -98,48 +112,12 @@ static int is_from_inside(const BlockJob *in, Sphere sphere)
     return vector_length(vector_minus(centre, ray_of(in).origin)) < fabs(sphere.radius);
 }
 
-ASKS(any_distance, between(in, sphere, 0, INFINITY),
-     "a hit behind the ray's end blocks nothing: t_max")
-ASKS(behind_end, is_behind(in, root_of(in, sphere)) ? YES : NO,
-     "hits behind the ray's end block, those before it do not: the comparison is inverted")
-ASKS(behind_or_miss,
-     !root_of(in, sphere).is_possible || is_behind(in, root_of(in, sphere)) ? YES : NO,
-     "hits behind the ray's end and misses block: the comparison is inverted")
-ASKS(position, between(in, of->block_spheres[at], 0, in->t_max),
-     "what stands in sphere_ids was not looked up: i is a position, not an id")
-ASKS(at_end, is_exact(in) && root_of(in, sphere).t == in->t_max ? YES : right(of, in, at),
-     "a hit at the end itself blocks nothing: it counts when t < t_max")
-ASKS(at_one, between(in, sphere, 0, 1),
-     "the ray ends at t_max, not at 1: its direction is a unit vector")
-ASKS(at_root, between(in, sphere, 0, sqrt(in->t_max)),
-     "a distance is compared with a square: t and t_max are both distances")
-ASKS(not_from_inside, is_from_inside(in, sphere) ? NO : right(of, in, at),
-     "a sphere around the start of the ray is in its way, too: from inside it is hit")
-ASKS(not_negative, sphere.radius < 0 ? NO : right(of, in, at),
-     "a sphere with a negative radius is in the way, too, where the ray leaves it")
-
-// By an epsilon of whatever size, in scene units or as a share of the ray.
-#define LARGEST_EPSILON fmax(0.01, 1.5 * HAIR * in->t_max)
-SPHERE(not_at_start, between(in, sphere, LARGEST_EPSILON, in->t_max))
-SPHERE(not_at_end, between(in, sphere, 0, in->t_max - LARGEST_EPSILON))
-ONLY(near_start, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_start)),
-     "hits very near to the start of the ray count, too, without an epsilon")
-ONLY(near_end, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_end)),
-     "hits very near to the end of the ray count, too, without an epsilon")
-
-SPHERE(not_at_ends, between(in, sphere, LARGEST_EPSILON, in->t_max - LARGEST_EPSILON))
-ONLY(near_ends, !found.is_blocked && IS_FOUND(leaf_blocks(of, in, not_at_ends)),
-     "hits very near to the start or to the end of the ray count, too, without an epsilon")
-
 // By which spheres are asked.
-#define FIRST in->node.first
-#define N in->node.n_spheres
-#define SOME_OF(first, n) any_of(of, in, right, first, n)
-
 static Blocks all_of(const Job09 *of, const BlockJob *in)
 {
-    Blocks all = N > 0 ? YES : NO;
-    for (u32 at = FIRST; at < FIRST + N && all != NO; at++) {
+    const u32 first = in->node.first, n = in->node.n_spheres;
+    Blocks all = n > 0 ? YES : NO;
+    for (u32 at = first; at < first + n && all != NO; at++) {
         const Blocks own = right(of, in, at);
         all = own != YES ? own : all;
     }
@@ -149,8 +127,9 @@ static Blocks all_of(const Job09 *of, const BlockJob *in)
 // The first one that is hit at all, wherever.
 static Blocks hit_decides_of(const Job09 *of, const BlockJob *in)
 {
-    for (u32 at = FIRST; at < FIRST + N; at++) {
-        const Blocks is_hit = any_distance_sphere(of, in, at);
+    const u32 first = in->node.first, n = in->node.n_spheres;
+    for (u32 at = first; at < first + n; at++) {
+        const Blocks is_hit = between(in, sphere_at(of, at), 0, INFINITY);
         if (is_hit != NO) {
             return is_hit == YES ? right(of, in, at) : EITHER;
         }
@@ -158,42 +137,76 @@ static Blocks hit_decides_of(const Job09 *of, const BlockJob *in)
     return NO;
 }
 
-ANSWERS(first_only, SOME_OF(FIRST, N > 1 ? 1 : N), "only the leaf's first sphere decides")
-ANSWERS(last_only, N > 1 ? SOME_OF(FIRST + N - 1, 1) : BLOCKS,
-        "only the leaf's last sphere decides")
-ANSWERS(all_must, all_of(of, in), "one sphere in the way is enough, not all must be")
-ANSWERS(hit_decides, hit_decides_of(of, in),
-        "the first sphere that is hit decides, wherever: behind the ray's end it blocks nothing, "
-        "and the next one may")
-ANSWERS(from_start, SOME_OF(0, N),
-        "the first ids of the tree were asked: the leaf's begin at node.first")
-ANSWERS(one_more, SOME_OF(FIRST, N + 1),
-        "one sphere too many was asked, the one behind the end of the leaf")
-ANSWERS(none_blocks, NO,
-        "no leaf blocks: does the loop come to the leaf's spheres, and is 1 returned?")
-ANSWERS(first_skipped, N > 0 ? SOME_OF(FIRST + 1, N - 1) : NO,
-        "the leaf's first sphere was not asked")
-ANSWERS(last_skipped, N > 0 ? SOME_OF(FIRST, N - 1) : NO, "the leaf's last sphere was not asked")
-ANSWERS(long_missed, i == LONG_LEAF ? NO : BLOCKS,
-        "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold how "
-        "many they are nor 16 bits where they stand")
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const u32 first = in->node.first, n = in->node.n_spheres;
+    const double epsilon = fmax(0.01, 1.5 * HAIR * in->t_max);  // the largest that is one
+    Blocks any = NO;
 
-static const Known *const known[] = {
-    &any_distance, &behind_end,      &behind_or_miss, &position,   &at_end,   &at_one,
-    &at_root,      &not_from_inside, &not_negative,   &near_start, &near_end, &first_only,
-    &last_only,    &all_must,        &hit_decides,    &from_start, &one_more, &first_skipped,
-    &last_skipped, &long_missed,     &near_ends,      &none_blocks};
+    ASKS(any_distance, between(in, sphere, 0, INFINITY),
+         "a hit behind the ray's end blocks nothing: t_max");
+    ASKS(behind_end, is_behind(in, root) ? YES : NO,
+         "hits behind the ray's end block, those before it do not: the comparison is inverted");
+    ASKS(behind_or_miss, !root.is_possible || is_behind(in, root) ? YES : NO,
+         "hits behind the ray's end and misses block: the comparison is inverted");
+    ASKS(position, between(in, of->block_spheres[at], 0, in->t_max),
+         "what stands in sphere_ids was not looked up: i is a position, not an id");
+    ASKS(at_end, is_exact(in) && root.t == in->t_max ? YES : right(of, in, at),
+         "a hit at the end itself blocks nothing: it counts when t < t_max");
+    ASKS(at_one, between(in, sphere, 0, 1),
+         "the ray ends at t_max, not at 1: its direction is a unit vector");
+    ASKS(at_root, between(in, sphere, 0, sqrt(in->t_max)),
+         "a distance is compared with a square: t and t_max are both distances");
+    ASKS(not_from_inside, is_from_inside(in, sphere) ? NO : right(of, in, at),
+         "a sphere around the start of the ray is in its way, too: from inside it is hit");
+    ASKS(not_negative, sphere.radius < 0 ? NO : right(of, in, at),
+         "a sphere with a negative radius is in the way, too, where the ray leaves it");
+
+    // By an epsilon of whatever size, in scene units or as a share of the ray.
+    ONLY(near_start, !found.is_blocked && IS_FOUND(any_of(of, in, first, n, epsilon, in->t_max)),
+         "hits very near to the start of the ray count, too, without an epsilon");
+    ONLY(near_end, !found.is_blocked && IS_FOUND(any_of(of, in, first, n, 0, in->t_max - epsilon)),
+         "hits very near to the end of the ray count, too, without an epsilon");
+    ONLY(near_ends,
+         !found.is_blocked && IS_FOUND(any_of(of, in, first, n, epsilon, in->t_max - epsilon)),
+         "hits very near to the start or to the end of the ray count, too, without an epsilon");
+
+    ANSWERS(first_only, some_of(of, in, first, n > 1 ? 1 : n),
+            "only the leaf's first sphere decides");
+    ANSWERS(last_only, n > 1 ? some_of(of, in, first + n - 1, 1) : leaf_blocks(of, in),
+            "only the leaf's last sphere decides");
+    ANSWERS(all_must, all_of(of, in), "one sphere in the way is enough, not all must be");
+    ANSWERS(hit_decides, hit_decides_of(of, in),
+            "the first sphere that is hit decides, wherever: behind the ray's end it blocks "
+            "nothing, and the next one may");
+    ANSWERS(from_start, some_of(of, in, 0, n),
+            "the first ids of the tree were asked: the leaf's begin at node.first");
+    ANSWERS(one_more, some_of(of, in, first, n + 1),
+            "one sphere too many was asked, the one behind the end of the leaf");
+    ANSWERS(none_blocks, NO,
+            "no leaf blocks: does the loop come to the leaf's spheres, and is 1 returned?");
+    ANSWERS(first_skipped, n > 0 ? some_of(of, in, first + 1, n - 1) : NO,
+            "the leaf's first sphere was not asked");
+    ANSWERS(last_skipped, n > 0 ? some_of(of, in, first, n - 1) : NO,
+            "the leaf's last sphere was not asked");
+    ANSWERS(long_missed, i == LONG_LEAF ? NO : leaf_blocks(of, in),
+            "only the longest leaf is wrong: all of its spheres count, and neither 8 bits hold how "
+            "many they are nor 16 bits where they stand");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
+    const u32 n = in->node.n_spheres;
     return message_new(
         "a leaf of %u sphere%s, its ids from %u on, ray from %s along %s up to %.9g: "
         "found %u, expected %d",
-        N, plural(N), FIRST, words_vec3(in->origin, 6).text, words_vec3(in->direction, 6).text,
-        in->t_max, found.is_blocked, BLOCKS == YES);
+        n, plural(n), in->node.first, words_vec3(in->origin, 6).text,
+        words_vec3(in->direction, 6).text, in->t_max, found.is_blocked, leaf_blocks(of, in) == YES);
 }
 
 const Function block_09 = {"blocks", N_BLOCKS, sizeof(BlockAnswer),
@@ -212,24 +225,28 @@ typedef struct Blockers {
 
 static Blockers blockers_of(const Job09 *of, const BlockJob *in)
 {
-    Blockers blockers = {.first = N, .last = N};
-    for (u32 k = 0; k < N; k++) {
-        const Blocks own = right(of, in, FIRST + k);
+    const u32 n = in->node.n_spheres;
+    Blockers blockers = {.first = n, .last = n};
+    for (u32 k = 0; k < n; k++) {
+        const Blocks own = right(of, in, in->node.first + k);
         blockers.is_unsure |= own == EITHER;
         if (own == YES) {
-            blockers.first = blockers.first == N ? k : blockers.first;
+            blockers.first = blockers.first == n ? k : blockers.first;
             blockers.last = k;
         }
     }
     return blockers;
 }
 
-#define BLOCKERS blockers_of(of, in)
-
 // In either order: each up to the one that is found first.
-RIGHT(is_early, BLOCKERS.is_unsure || (BLOCKERS.first == N ? IS_FOUND(N)
-                                                           : IS_FOUND(BLOCKERS.first + 1) ||
-                                                                 IS_FOUND(N - BLOCKERS.last)))
+static int is_early_by(Blockers blockers, u32 n, u32 found)
+{
+    return blockers.is_unsure ||
+           (blockers.first == n ? found == n
+                                : found == blockers.first + 1 || found == n - blockers.last);
+}
+
+RIGHT(is_early, is_early_by(blockers_of(of, in), in->node.n_spheres, found.n_tests))
 
 // Does a leaf block, in whichever input? Then spheres were asked, counted or not.
 static int is_any_blocked(const void *answers)
@@ -241,31 +258,38 @@ static int is_any_blocked(const void *answers)
     return i < N_BLOCKS;
 }
 
-ANSWERS(asks_all, N, "each sphere of the leaf was asked, though one in the way is enough")
-EACH(uncounted, IS_FOUND(0) && is_any_blocked(answers),
-     "leaves block, but no call is counted: intersect_sphere counts, if `work` is passed on to it")
-EACH(unasked, IS_FOUND(0) && !is_any_blocked(answers),
-     "no leaf blocks, and no sphere was asked: from where to where does the loop run?")
-ANSWERS(only_first, N > 0 ? 1 : 0,
-        "the loop ends after its first sphere: where that is not in the way, the next one is asked")
-EACH(one_late, BLOCKERS.is_unsure || IS_FOUND(BLOCKERS.first + 2 < N ? BLOCKERS.first + 2 : N),
-     "one sphere more was asked after the one in the way: the search ends at once")
-ONLY(wrong_too, (found.is_blocked != 0) != (BLOCKERS.first < N),
-     "the answer is wrong there, too: blocks-before and blocks-edges say more")
+KNOWN_LIST(early_known)
+{
+    GIVEN;
+    const Blockers blockers = blockers_of(of, in);
+    const u32 n = in->node.n_spheres;
 
-static const Known *const early_known[] = {&asks_all, &uncounted, &unasked,
-                                           &one_late, &wrong_too, &only_first};
+    ANSWERS(asks_all, n, "each sphere of the leaf was asked, though one in the way is enough");
+    EACH(uncounted, IS_FOUND(0) && is_any_blocked(answers),
+         "leaves block, but no call is counted: intersect_sphere counts, if `work` is passed on to "
+         "it");
+    EACH(unasked, IS_FOUND(0) && !is_any_blocked(answers),
+         "no leaf blocks, and no sphere was asked: from where to where does the loop run?");
+    ANSWERS(only_first, n > 0 ? 1 : 0,
+            "the loop ends after its first sphere: where that is not in the way, the next one is "
+            "asked");
+    EACH(one_late, blockers.is_unsure || IS_FOUND(blockers.first + 2 < n ? blockers.first + 2 : n),
+         "one sphere more was asked after the one in the way: the search ends at once");
+    ONLY(wrong_too, (found.is_blocked != 0) != (blockers.first < n),
+         "the answer is wrong there, too: blocks-before and blocks-edges say more");
+    return NO_MORE;
+}
 
 static char *describe_early(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const u32 first = BLOCKERS.first;
+    const u32 first = blockers_of(of, in).first, n = in->node.n_spheres;
     const Words which =
-        first < N ? words("number %u is in the way", first + 1) : words("none is in the way");
+        first < n ? words("number %u is in the way", first + 1) : words("none is in the way");
     return message_new("a leaf of %u sphere%s, of which %s: intersect_sphere was called %u time%s, "
                        "expected %u",
-                       N, plural(N), which.text, found.n_tests, plural(found.n_tests),
-                       first < N ? first + 1 : N);
+                       n, plural(n), which.text, found.n_tests, plural(found.n_tests),
+                       first < n ? first + 1 : n);
 }
 
 const Function block_early_09 = {"blocks", N_BLOCKS, sizeof(BlockAnswer),

@@ -69,8 +69,6 @@ RIGHT(is_right, is_light(i, found, right_light(job, i)) && sends_right(job, i, f
 
 // ---- Mistakes of the rays alone -----------------------------------------------------------------
 
-#define N_RAYS found->n_leaves
-#define N_NEEDED light_sides(job, i).n_before
 #define SENDS(name, condition, ...)                                                                \
     EACH(name, is_light(i, found, right_light(job, i)) && (condition), __VA_ARGS__)
 
@@ -84,14 +82,6 @@ static int is_any_asked_twice(const Job09 *job, const LitAnswer *answers)
     return i < 2 * N_LIT_INPUTS;
 }
 
-SENDS(asks_all, N_RAYS == (u32)in->n_lights,
-      "a ray was sent to every light: on which side of the surface it is, is asked first")
-SENDS(asks_twice,
-      N_RAYS >= N_NEEDED && (N_RAYS == 0 || N_NEEDED > 0) && is_any_asked_twice(job, answers),
-      "a light is asked more than once: one ray says whether it arrives")
-SENDS(uncounted, N_RAYS == 0,
-      "no ray is counted: is_blocked is not asked, or `work` was not passed on to it")
-
 // Nothing comes of a light behind, and a ray is sent to it all the same.
 static int is_side_inverted(const Job09 *job, int i, const LitAnswer *found)
 {
@@ -102,10 +92,6 @@ static int is_side_inverted(const Job09 *job, int i, const LitAnswer *found)
     return lit_09_counts_only(i) ||
            (is_black && (i / N_LIT_INPUTS != 1 || found->n_leaves <= n_behind));
 }
-
-EACH(side_inverted, is_side_inverted(job, i, found),
-     "lights before the surface are left out, and those behind it are asked: the sign of the "
-     "cosine")
 
 // ---- Mistakes of the sum ------------------------------------------------------------------------
 
@@ -205,23 +191,34 @@ static int n_arriving(const SeenLights *all, int end)
     return n;
 }
 
-// The lights' shares, each as often as a mistake counts light number k: of all of them and the one
-// behind their end.
-typedef double Weight(const SeenLights *all, int k, const LitJob *in);
-static OracleNear summed(const Job09 *job, const LitJob *in, Weight *weight)
+// Add a light's share, as often as a mistake counts it.
+static void add_share(OracleNear *sum, const SeenLight *light, double factor)
+{
+    sum->value = vector_plus(sum->value, vector_scaled(factor, light->share.value));
+    sum->error += fabs(factor) * light->share.error;
+}
+
+// The sum as far as it is known. Each sum rounds, twice where it is one of sums.
+static OracleNear summed(const SeenLights *all, OracleNear sum)
+{
+    sum.error += 4 * ROUNDING * all->n * vector_length(sum.value);
+    return all->is_unsure ? (OracleNear){{0}, INFINITY} : sum;
+}
+
+static OracleNear right_sum(const SeenLights *all)
+{
+    OracleNear sum = {{0}, 0};
+    for (int k = 0; k < all->n; k++) {
+        add_share(&sum, &all->each[k], arrives(&all->each[k]));
+    }
+    return summed(all, sum);
+}
+
+static OracleNear arriving_alone(const Job09 *job, const LitJob *in)
 {
     SeenLights all;
-    OracleNear sum = {{0}, 0};
     see_all(job, in, &all);
-    for (int k = 0; k <= all.n; k++) {
-        const double factor = weight(&all, k, in);
-        const OracleNear share = all.each[k].share;
-        sum.value = vector_plus(sum.value, vector_scaled(factor, share.value));
-        sum.error += fabs(factor) * share.error;
-    }
-    // Each sum rounds, twice where it is one of sums.
-    sum.error += 4 * ROUNDING * all.n * vector_length(sum.value);
-    return all.is_unsure ? (OracleNear){{0}, INFINITY} : sum;
+    return right_sum(&all);
 }
 
 // By its colours a mistake of the sum is known, whether rays are sent or not; but where only the
@@ -232,92 +229,16 @@ static int is_sum(const Job09 *job, int i, const LitAnswer *found, OracleNear ex
            (sends_right(job, i, found->n_leaves) || !is_light(i, found, right_light(job, i)));
 }
 
-#define WEIGHT(name, expression)                                                                   \
-    static double name##_weight(const SeenLights *all, int k, const LitJob *in)                    \
-    {                                                                                              \
-        const SeenLight *light = &all->each[k];                                                    \
-        (void)light, (void)in;                                                                     \
-        return expression;                                                                         \
-    }
-#define SUMS(name, expression, ...)                                                                \
-    WEIGHT(name, expression)                                                                       \
-    EACH(name, is_sum(job, i, found, summed(job, in, name##_weight)), __VA_ARGS__)
-#define IS_ONE (k < all->n)
-#define ARRIVES (k < all->n && arrives(light))
-#define N_ARRIVING n_arriving(all, all->n)
-
-// By which lights are asked.
-SUMS(first_only, k == 0 && ARRIVES, "that is the first light's share only")
-SUMS(last_only, k == all->n - 1 && ARRIVES, "that is the last light's share only")
-SUMS(without_first, k > 0 && ARRIVES, "the first light is not asked")
-SUMS(without_last, k < all->n - 1 && ARRIVES, "the last light is not asked")
-SUMS(one_more, arrives(light), "one light too many shines, the one behind the end of the array")
-SUMS(blocked_ends, k < first_of(all, is_blocked) && ARRIVES,
-     "after a light that is blocked no other one is asked")
-SUMS(behind_ends, k < first_of(all, is_behind) && ARRIVES,
-     "a light behind the surface ended the loop: the next one may be before it")
-SUMS(dark_ends, k < first_of(all, is_dark) && ARRIVES,
-     "a light that does not arrive ended the loop: the next one may arrive")
-SUMS(first_arriving, k == first_of(all, arrives) && ARRIVES,
-     "the first light that arrives ended the loop: the next one may arrive, too")
-
-#define NOT_ALL "where lights are many, not all of them are asked: n_lights says how many they are"
-SUMS(only_4, k < 4 && ARRIVES, NOT_ALL)
-SUMS(only_8, k < 8 && ARRIVES, NOT_ALL)
-SUMS(only_16, k < 16 && ARRIVES, NOT_ALL)
-SUMS(only_32, k < 32 && ARRIVES, NOT_ALL)
-SUMS(only_64, k < 64 && ARRIVES, NOT_ALL)
-SUMS(only_128, k < 128 && ARRIVES, NOT_ALL)
-SUMS(only_256, k < 256 && ARRIVES, NOT_ALL)
-
-// By which of them arrive.
-SUMS(without_shadows, IS_ONE, "light is added although something stands between")
-SUMS(only_blocked, is_blocked(light) && IS_ONE,
-     "light is added where something stands between, and not where nothing does")
-SUMS(blocked_beyond, IS_ONE && light->is_free_beyond,
-     "what stands behind the light casts a shadow, too")
-SUMS(all_or_none, first_of(all, is_blocked) == all->n && ARRIVES,
-     "one light that does not arrive takes the others with it")
-SUMS(all_by_first_ray, arrives(&all->each[0]) && IS_ONE,
-     "the first light's ray was asked for all of them: each needs one of its own")
-SUMS(side_by_position, IS_ONE && light->is_free && light->by_position > 0,
-     "before the surface or behind it is asked with the light's position: the way to it begins at "
-     "the point")
-SUMS(side_by_point, ARRIVES && light->by_point > 0,
-     "before the surface or behind it is asked with the point: it takes the direction to the light")
-SUMS(taken_off, -ARRIVES, "the lights' shares are taken off: they are added")
-SUMS(dark_left_out, ARRIVES && light->brightest >= 0x1p-10,
-     "a dark light is left out: where much of it is scattered, it shows")
-SUMS(little_kd_lost, ARRIVES && in->material.kd >= 0x1p-10f,
-     "a surface that scatters little is not lit: where a light is bright, it shows")
-
-#define GRAZING_LOST                                                                               \
-    "light that grazes the surface arrives, too: a cosine above 0 is enough, without an epsilon"
-SUMS(grazing_5, ARRIVES && light->cosine >= 0.05, GRAZING_LOST)
-SUMS(grazing_9, ARRIVES && light->cosine >= 0x1p-9, GRAZING_LOST)
-SUMS(grazing_15, ARRIVES && light->cosine >= 0x1p-15, GRAZING_LOST)
-
-// By how they are added.
-SUMS(mean, ARRIVES / fmax(all->n, 1),
-     "the lights' shares add up: they are not divided by how many there are")
-SUMS(falling, ARRIVES / (light->distance * light->distance),
-     "light does not fall with the distance here: shade knows all that counts")
-SUMS(cosine_twice, ARRIVES * light->cosine, "shade has the cosine already: it counts once")
-SUMS(kd_twice, ARRIVES ? (double)in->material.kd : 0, "shade has kd already: it counts once")
-SUMS(adds_all, IS_ONE ? N_ARRIVING : 0, "every light was added once for each light")
-SUMS(adds_rest, IS_ONE ? n_arriving(all, k + 1) : 0,
-     "with each light that arrives those behind it in the array were added again")
-SUMS(share_of_first, k == 0 ? N_ARRIVING : 0,
-     "each light that arrives added the first one's share, not its own")
-SUMS(last_arriving, n_arriving(all, k + 1) == N_ARRIVING && ARRIVES,
-     "the shares add up: each light that arrives took the place of the one before it")
-
-WEIGHT(right, ARRIVES)
-
-static OracleNear arriving_alone(const Job09 *job, const LitJob *in)
-{
-    return summed(job, in, right_weight);
-}
+// How often light number k counts: of all n of them, and of the one behind their end.
+#define SUMS_OF(name, n_ways, factor, ...)                                                         \
+    for (int k = 0; number == 0 && k <= all.n; k++) {                                              \
+        const SeenLight *light = &all.each[k];                                                     \
+        const int is_one = k < all.n, counts = is_one && arrives(light);                           \
+        (void)is_one, (void)counts;                                                                \
+        add_share(&sum, light, factor);                                                            \
+    }                                                                                              \
+    ONE_OF(name, n_ways, is_sum(job, i, found, summed(&all, sum)), __VA_ARGS__)
+#define SUMS(name, factor, ...) SUMS_OF(name, 1, factor, __VA_ARGS__)
 
 static OracleNear with_color_twice(const LitJob *in, OracleNear sum)
 {
@@ -332,21 +253,94 @@ static OracleNear cut_at_one(OracleNear sum)
     return sum;
 }
 
-EACH(color_twice, is_sum(job, i, found, with_color_twice(in, summed(job, in, right_weight))),
-     "shade has the material's colour already: it counts once")
-EACH(cut, is_sum(job, i, found, cut_at_one(summed(job, in, right_weight))),
-     "the sum is cut at 1: light may be brighter than that")
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const u32 n_rays = found->n_leaves, n_needed = light_sides(job, i).n_before;
+    SeenLights all;
+    OracleNear sum = {{0}, 0};
+    see_all(job, in, &all);
 
-static const Known *const known[] = {
-    &asks_all,      &asks_twice,     &uncounted,     &first_only,       &last_only,
-    &without_first, &without_last,   &one_more,      &blocked_ends,     &behind_ends,
-    &dark_ends,     &first_arriving, &only_4,        &only_8,           &only_16,
-    &only_32,       &only_64,        &only_128,      &only_256,         &without_shadows,
-    &only_blocked,  &blocked_beyond, &all_or_none,   &all_by_first_ray, &side_by_position,
-    &dark_left_out, &little_kd_lost, &grazing_5,     &grazing_9,        &grazing_15,
-    &mean,          &falling,        &cosine_twice,  &kd_twice,         &adds_all,
-    &adds_rest,     &share_of_first, &last_arriving, &color_twice,      &cut,
-    &side_inverted, &side_by_point,  &taken_off};
+    SENDS(asks_all, n_rays == (u32)in->n_lights,
+          "a ray was sent to every light: on which side of the surface it is, is asked first");
+    SENDS(asks_twice,
+          n_rays >= n_needed && (n_rays == 0 || n_needed > 0) && is_any_asked_twice(job, answers),
+          "a light is asked more than once: one ray says whether it arrives");
+    SENDS(uncounted, n_rays == 0,
+          "no ray is counted: is_blocked is not asked, or `work` was not passed on to it");
+
+    EACH(side_inverted, is_side_inverted(job, i, found),
+         "lights before the surface are left out, and those behind it are asked: the sign of the "
+         "cosine");
+
+    // By which lights are asked.
+    SUMS(first_only, k == 0 && counts, "that is the first light's share only");
+    SUMS(last_only, k == all.n - 1 && counts, "that is the last light's share only");
+    SUMS(without_first, k > 0 && counts, "the first light is not asked");
+    SUMS(without_last, k < all.n - 1 && counts, "the last light is not asked");
+    SUMS(one_more, arrives(light),
+         "one light too many shines, the one behind the end of the array");
+    SUMS(blocked_ends, k < first_of(&all, is_blocked) && counts,
+         "after a light that is blocked no other one is asked");
+    SUMS(behind_ends, k < first_of(&all, is_behind) && counts,
+         "a light behind the surface ended the loop: the next one may be before it");
+    SUMS(dark_ends, k < first_of(&all, is_dark) && counts,
+         "a light that does not arrive ended the loop: the next one may arrive");
+    SUMS(first_arriving, k == first_of(&all, arrives) && counts,
+         "the first light that arrives ended the loop: the next one may arrive, too");
+
+    SUMS_OF(only_some, 7, k < (4 << way) && counts,
+            "where lights are many, not all of them are asked: n_lights says how many they are");
+
+    // By which of them arrive.
+    SUMS(without_shadows, is_one, "light is added although something stands between");
+    SUMS(only_blocked, is_blocked(light) && is_one,
+         "light is added where something stands between, and not where nothing does");
+    SUMS(blocked_beyond, is_one && light->is_free_beyond,
+         "what stands behind the light casts a shadow, too");
+    SUMS(all_or_none, first_of(&all, is_blocked) == all.n && counts,
+         "one light that does not arrive takes the others with it");
+    SUMS(all_by_first_ray, arrives(&all.each[0]) && is_one,
+         "the first light's ray was asked for all of them: each needs one of its own");
+    SUMS(side_by_position, is_one && light->is_free && light->by_position > 0,
+         "before the surface or behind it is asked with the light's position: the way to it begins "
+         "at the point");
+    SUMS(side_by_point, counts && light->by_point > 0,
+         "before the surface or behind it is asked with the point: it takes the direction to the "
+         "light");
+    SUMS(taken_off, -counts, "the lights' shares are taken off: they are added");
+    SUMS(dark_left_out, counts && light->brightest >= 0x1p-10,
+         "a dark light is left out: where much of it is scattered, it shows");
+    SUMS(little_kd_lost, counts && in->material.kd >= 0x1p-10f,
+         "a surface that scatters little is not lit: where a light is bright, it shows");
+
+    static const double grazing[] = {0.05, 0x1p-9, 0x1p-15};
+    SUMS_OF(grazing_lost, 3, counts && light->cosine >= grazing[way],
+            "light that grazes the surface arrives, too: a cosine above 0 is enough, without an "
+            "epsilon");
+
+    // By how they are added.
+    SUMS(mean, counts / fmax(all.n, 1),
+         "the lights' shares add up: they are not divided by how many there are");
+    SUMS(falling, counts / (light->distance * light->distance),
+         "light does not fall with the distance here: shade knows all that counts");
+    SUMS(cosine_twice, counts * light->cosine, "shade has the cosine already: it counts once");
+    SUMS(kd_twice, counts ? (double)in->material.kd : 0, "shade has kd already: it counts once");
+    SUMS(adds_all, is_one ? n_arriving(&all, all.n) : 0,
+         "every light was added once for each light");
+    SUMS(adds_rest, is_one ? n_arriving(&all, k + 1) : 0,
+         "with each light that arrives those behind it in the array were added again");
+    SUMS(share_of_first, k == 0 ? n_arriving(&all, all.n) : 0,
+         "each light that arrives added the first one's share, not its own");
+    SUMS(last_arriving, n_arriving(&all, k + 1) == n_arriving(&all, all.n) && counts,
+         "the shares add up: each light that arrives took the place of the one before it");
+
+    EACH(color_twice, is_sum(job, i, found, with_color_twice(in, right_sum(&all))),
+         "shade has the material's colour already: it counts once");
+    EACH(cut, is_sum(job, i, found, cut_at_one(right_sum(&all))),
+         "the sum is cut at 1: light may be brighter than that");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

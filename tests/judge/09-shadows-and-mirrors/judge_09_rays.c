@@ -88,36 +88,10 @@ static OracleNear mirrored(const MirrorJob *in)
 
 RIGHT(is_mirrored, oracle3d_is_near(found, mirrored(in)))
 
-// The direction, the normal, and what turns round: the part of the one along the other, twice.
-#define D vector_of(in->direction)
-#define N vector_of(in->normal)
-#define TURNS (2 * vector_dot(D, N))
-
 static OracleVector product(OracleVector a, OracleVector b)
 {
     return (OracleVector){a.x * b.x, a.y * b.y, a.z * b.z};
 }
-
-ANSWERS(turned_round, vector_minus(vector_scaled(TURNS, N), D),
-        "that is the mirrored direction turned round: the sign")
-ANSWERS(straight_on, D, "the ray goes straight on")
-ANSWERS(back, vector_scaled(-1, D), "the ray goes back to where it came from")
-ANSWERS(along_surface, vector_minus(D, vector_scaled(TURNS / 2, N)),
-        "its part along the normal is gone, not turned round: it counts twice")
-ANSWERS(along_normal, N,
-        "that is the normal: only a ray that meets the mirror head-on goes along it")
-ANSWERS(part_added, vector_plus(D, vector_scaled(TURNS, N)),
-        "its part along the normal grew, and should turn round: the sign")
-ANSWERS(normal_mirrored, vector_minus(N, vector_scaled(TURNS, D)),
-        "the normal was mirrored at the direction: they stand in each other's place")
-ANSWERS(along_itself, vector_minus(D, vector_scaled(TURNS, D)),
-        "the part that turns round lies along the normal, not along the direction")
-ANSWERS(part_alone, vector_scaled(-TURNS, N),
-        "the direction itself is missing: only what is added to it is there")
-ANSWERS(by_coordinate, vector_minus(D, vector_scaled(2, product(D, product(N, N)))),
-        "coordinates were multiplied one by one: the part along the normal is a dot product")
-ANSWERS(dot_without_z, vector_minus(D, vector_scaled(TURNS - 2 * D.z * N.z, N)),
-        "z is missing in the dot product")
 
 // The number that turns round, or half of it, taken from each coordinate or added to it.
 static OracleVector less_number(OracleVector direction, double number)
@@ -125,21 +99,46 @@ static OracleVector less_number(OracleVector direction, double number)
     return vector_minus(direction, (OracleVector){number, number, number});
 }
 
-ANY(number, 4, IS_FOUND(less_number(D, TURNS *(way < 2 ? 1 : 0.5) * (way % 2 ? -1 : 1))),
-    "one number is taken from each coordinate: what turns round is a vector along the normal")
-ANY(other_multiple, 16, IS_FOUND(vector_plus(D, vector_scaled((way - 8) * TURNS / 2, N))),
-    "its part along the normal turns round if it is taken off twice: here it is another multiple")
-
 // A ray that grazes a mirror by no more than that is taken for one along it by an epsilon.
 #define GRAZING 0.0625
-ONLY(flat_goes_on, fabs(vector_dot(D, N)) < GRAZING && IS_FOUND(D),
-     "a ray that grazes the mirror is mirrored, too, without an epsilon")
 
-static const Known *const turns[] = {
-    &turned_round,  &straight_on,     &back,         &along_surface,  &along_normal,
-    &part_added,    &normal_mirrored, &along_itself, &part_alone,     &by_coordinate,
-    &dot_without_z, &flat_goes_on,    &number,       &other_multiple,
-};
+KNOWN_LIST(turns)
+{
+    GIVEN;
+    // What turns round is the part of the direction along the normal, twice.
+    const OracleVector d = vector_of(in->direction), n = vector_of(in->normal);
+    const double turns_round = 2 * vector_dot(d, n);
+
+    ANSWERS(turned_round, vector_minus(vector_scaled(turns_round, n), d),
+            "that is the mirrored direction turned round: the sign");
+    ANSWERS(straight_on, d, "the ray goes straight on");
+    ANSWERS(back, vector_scaled(-1, d), "the ray goes back to where it came from");
+    ANSWERS(along_surface, vector_minus(d, vector_scaled(turns_round / 2, n)),
+            "its part along the normal is gone, not turned round: it counts twice");
+    ANSWERS(along_normal, n,
+            "that is the normal: only a ray that meets the mirror head-on goes along it");
+    ANSWERS(part_added, vector_plus(d, vector_scaled(turns_round, n)),
+            "its part along the normal grew, and should turn round: the sign");
+    ANSWERS(normal_mirrored, vector_minus(n, vector_scaled(turns_round, d)),
+            "the normal was mirrored at the direction: they stand in each other's place");
+    ANSWERS(along_itself, vector_minus(d, vector_scaled(turns_round, d)),
+            "the part that turns round lies along the normal, not along the direction");
+    ANSWERS(part_alone, vector_scaled(-turns_round, n),
+            "the direction itself is missing: only what is added to it is there");
+    ANSWERS(by_coordinate, vector_minus(d, vector_scaled(2, product(d, product(n, n)))),
+            "coordinates were multiplied one by one: the part along the normal is a dot product");
+    ANSWERS(dot_without_z, vector_minus(d, vector_scaled(turns_round - 2 * d.z * n.z, n)),
+            "z is missing in the dot product");
+
+    ANY(number, 4, IS_FOUND(less_number(d, turns_round * (way < 2 ? 1 : 0.5) * (way % 2 ? -1 : 1))),
+        "one number is taken from each coordinate: what turns round is a vector along the normal");
+    ANY(other_multiple, 16, IS_FOUND(vector_plus(d, vector_scaled((way - 8) * turns_round / 2, n))),
+        "its part along the normal turns round if it is taken off twice: here it is another "
+        "multiple");
+    ONLY(flat_goes_on, fabs(vector_dot(d, n)) < GRAZING && IS_FOUND(d),
+         "a ray that grazes the mirror is mirrored, too, without an epsilon");
+    return NO_MORE;
+}
 
 static char *describe_mirror(const void *pointer, int i, const void *answers)
 {
@@ -155,9 +154,6 @@ const Function mirror_09 = {"mirrors", 2 * N_MIRROR_INPUTS, sizeof(Vec3),
                             KNOWING(is_mirrored, describe_mirror, turns)};
 #undef GIVEN
 #undef IS_FOUND
-#undef D
-#undef N
-#undef TURNS
 
 // ---- shadow_ray ---------------------------------------------------------------------------------
 
@@ -211,14 +207,21 @@ static int is_handed_out(const ShadowRayAnswer *found)
 }
 
 RIGHT(starts_at_point, IS_FOUND(in->point))
-ANSWERS(at_light, in->light.position, "it starts at the light, not at the point")
-ANSWERS(at_zero, ((Vec3){0, 0, 0}), "it starts at the origin of the scene")
-EACH(moved, is_beside(found->origin, in) && found->t_min == 0 && !is_handed_out(found),
-     "it starts beside the point, which is off the surface already")
-EACH(later, is_at(found->origin, in->point) && found->t_min != 0 && !is_handed_out(found),
-     "t_min is 0: the point is off the surface already, and a blocker may be as close as one likes")
 
-static const Known *const starts[] = {&at_light, &at_zero, &moved, &later};
+KNOWN_LIST(starts)
+{
+    GIVEN;
+
+    ANSWERS(at_light, in->light.position, "it starts at the light, not at the point");
+    ANSWERS(at_zero, ((Vec3){0, 0, 0}), "it starts at the origin of the scene");
+    EACH(moved, is_beside(found->origin, in) && found->t_min == 0 && !is_handed_out(found),
+         "it starts beside the point, which is off the surface already");
+    EACH(later, is_at(found->origin, in->point) && found->t_min != 0 && !is_handed_out(found),
+         "t_min is 0: the point is off the surface already, and a blocker may be as close as one "
+         "likes");
+    return NO_MORE;
+}
+
 const Function ray_origin_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
                                 KNOWING(starts_at_point, describe_ray, starts)};
 #undef IS_FOUND
@@ -238,33 +241,40 @@ static double largest_of(OracleVector v)
 }
 
 RIGHT(goes_to_light, IS_FOUND(1 / vector_length(way_of(in))))
-ANSWERS(reversed, -1 / vector_length(way_of(in)), "it goes away from the light: light minus point")
-ANSWERS(not_unit, 1, "the direction is not a unit vector: t is a distance then")
-EACH(to_position,
-     is_scaled(found, 1 / vector_length(vector_of(in->light.position)),
-               vector_of(in->light.position)),
-     "that is the light's position, not the way to it")
-ANSWERS(by_largest, 1 / largest_of(way_of(in)),
-        "it is divided by its largest coordinate: by its length it becomes a unit vector")
-EACH(added,
-     is_scaled(found,
-               1 / vector_length(vector_plus(vector_of(in->light.position), vector_of(in->point))),
-               vector_plus(vector_of(in->light.position), vector_of(in->point))),
-     "the point is added to the light's position: the way is the light minus the point")
-EACH(multiplied, is_scaled(found, vector_length(way_of(in)), way_of(in)),
-     "the way is multiplied by its length: divided by it, it becomes a unit vector")
-ANSWERS(by_square_of_way, 1 / vector_dot(way_of(in), way_of(in)),
-        "the way is divided by its square: by its length it becomes a unit vector")
 
-static const Known *const directions[] = {&reversed,         &not_unit, &to_position, &by_largest,
-                                          &by_square_of_way, &added,    &multiplied};
+KNOWN_LIST(directions)
+{
+    GIVEN;
+    const OracleVector way_to = way_of(in);
+    const double length = vector_length(way_to);
+
+    ANSWERS(reversed, -1 / length, "it goes away from the light: light minus point");
+    ANSWERS(not_unit, 1, "the direction is not a unit vector: t is a distance then");
+    EACH(to_position,
+         is_scaled(found, 1 / vector_length(vector_of(in->light.position)),
+                   vector_of(in->light.position)),
+         "that is the light's position, not the way to it");
+    ANSWERS(by_largest, 1 / largest_of(way_to),
+            "it is divided by its largest coordinate: by its length it becomes a unit vector");
+    EACH(added,
+         is_scaled(
+             found,
+             1 / vector_length(vector_plus(vector_of(in->light.position), vector_of(in->point))),
+             vector_plus(vector_of(in->light.position), vector_of(in->point))),
+         "the point is added to the light's position: the way is the light minus the point");
+    EACH(multiplied, is_scaled(found, length, way_to),
+         "the way is multiplied by its length: divided by it, it becomes a unit vector");
+    ANSWERS(by_square_of_way, 1 / vector_dot(way_to, way_to),
+            "the way is divided by its square: by its length it becomes a unit vector");
+    return NO_MORE;
+}
+
 const Function ray_direction_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
                                    KNOWING(goes_to_light, describe_ray, directions)};
 #undef IS_FOUND
 
 // The end of the ray, beside a length that is computed as the way's is.
 #define IS_FOUND(length) (fabs((double)found->t_max - (length)) <= WAY_ERROR * (length))
-#define WAY vector_length(way_of(in))
 
 static double sum_of(OracleVector v)
 {
@@ -276,25 +286,32 @@ static double sum_of(OracleVector v)
 #define NOWHERE 1e9
 #define FAR 1000
 
-RIGHT(ends_at_light, IS_FOUND(WAY))
-EACH(nowhere, found->t_max > NOWHERE * WAY,
-     "it has no end: what stands behind the light would cast a shadow, too")
-ONLY(far_nowhere, WAY > FAR && found->t_max > NOWHERE * WAY,
-     "where the light is far away the ray has no end: it ends at the light, however far")
-ANSWERS(at_one, 1.0, "it ends at t = 1: so it is where the direction is as long as the way")
-EACH(squared, fabs(found->t_max - WAY * WAY) <= 2 * WAY_ERROR * WAY * WAY,
-     "that is the square of the distance")
-ANSWERS(from_zero, vector_length(vector_of(in->light.position)),
-        "that is the light's distance from the origin of the scene, not from the point")
-EACH(at_largest, fabs(found->t_max - largest_of(way_of(in))) <= WAY_ERROR * WAY,
-     "that is the largest coordinate of the way, not its length")
-EACH(at_sum, fabs(found->t_max - sum_of(way_of(in))) <= 2 * WAY_ERROR * WAY,
-     "that is the sum of the way's coordinates, not its length")
-EACH(little_off, fabs(found->t_max - WAY) <= 0.02 * fmax(1, WAY),
-     "it ends beside the light: t_max is its distance, without an epsilon")
-EACH(at_start, found->t_max == 0, "it ends where it starts")
+RIGHT(ends_at_light, IS_FOUND(vector_length(way_of(in))))
 
-static const Known *const ends[] = {&nowhere,    &far_nowhere, &at_one,     &squared, &from_zero,
-                                    &at_largest, &at_sum,      &little_off, &at_start};
+KNOWN_LIST(ends)
+{
+    GIVEN;
+    const OracleVector way_to = way_of(in);
+    const double length = vector_length(way_to);
+
+    EACH(nowhere, found->t_max > NOWHERE * length,
+         "it has no end: what stands behind the light would cast a shadow, too");
+    ONLY(far_nowhere, length > FAR && found->t_max > NOWHERE * length,
+         "where the light is far away the ray has no end: it ends at the light, however far");
+    ANSWERS(at_one, 1.0, "it ends at t = 1: so it is where the direction is as long as the way");
+    EACH(squared, fabs(found->t_max - length * length) <= 2 * WAY_ERROR * length * length,
+         "that is the square of the distance");
+    ANSWERS(from_zero, vector_length(vector_of(in->light.position)),
+            "that is the light's distance from the origin of the scene, not from the point");
+    EACH(at_largest, fabs(found->t_max - largest_of(way_to)) <= WAY_ERROR * length,
+         "that is the largest coordinate of the way, not its length");
+    EACH(at_sum, fabs(found->t_max - sum_of(way_to)) <= 2 * WAY_ERROR * length,
+         "that is the sum of the way's coordinates, not its length");
+    EACH(little_off, fabs(found->t_max - length) <= 0.02 * fmax(1, length),
+         "it ends beside the light: t_max is its distance, without an epsilon");
+    EACH(at_start, found->t_max == 0, "it ends where it starts");
+    return NO_MORE;
+}
+
 const Function ray_end_09 = {"shadow_rays", N_SHADOW_RAY_INPUTS, sizeof(ShadowRayAnswer),
                              KNOWING(ends_at_light, describe_ray, ends)};

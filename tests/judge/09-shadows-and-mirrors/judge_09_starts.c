@@ -85,36 +85,11 @@ RIGHT(is_right, is_moved(in, found, offset_of(in), 2 * offset_of(in)))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
-ANSWERS(unmoved, 0.0, "the point was not moved: new rays would hit the surface that they leave")
-ANSWERS(other_side, -offset_of(in), "it was moved to the other side: against the normal")
-ANSWERS(half, offset_of(in) / 2, "it was moved half as far as needed")
-
 // The sum.
 static double size_of(float radius)
 {
     return fabs((double)radius);
 }
-
-ANSWERS(largest, offset_by(0, 0, fmax(in->t, fmax(size_of(in->radius), largest_of(in->point)))),
-        "the sum of the three numbers counts, not the largest of them")
-ANSWERS(one_share, offset_by(in->t, 0, 0) + size_of(in->radius) + largest_of(in->point),
-        "SURFACE_ERROR counts for each of the three numbers: parentheses are missing")
-ANSWERS(signed_radius, offset_by(in->t, in->radius, largest_of(in->point)),
-        "the radius may be negative: its size is added")
-ANSWERS(unsigned_sum, offset_by(0, fabs((double)in->t + in->radius), largest_of(in->point)),
-        "the radius may be negative: it is its own size that counts, not that of its sum with t")
-ANSWERS(product, offset_by(in->t *size_of(in->radius) * largest_of(in->point), 0, 0),
-        "t, the radius and the coordinate were multiplied: their sum counts")
-ANSWERS(without_t, offset_by(0, size_of(in->radius), largest_of(in->point)),
-        "t is missing in the sum")
-ANSWERS(without_radius, offset_by(in->t, 0, largest_of(in->point)),
-        "the radius is missing in the sum")
-ANSWERS(without_point, offset_by(in->t, size_of(in->radius), 0),
-        "the point's coordinate is missing in the sum")
-ANSWERS(only_t, offset_by(in->t, 0, 0), "only t counts in the sum")
-ANSWERS(only_radius, offset_by(0, size_of(in->radius), 0), "only the radius counts in the sum")
-ANSWERS(only_point, offset_by(0, 0, largest_of(in->point)),
-        "only the point's coordinate counts in the sum")
 
 // The point's coordinates.
 static double with_point(const StartJob *in, double point)
@@ -142,27 +117,6 @@ static double largest_with_sign(Vec3 p)
     return fmax(fmax(p.x, p.y), p.z);
 }
 
-ANSWERS(by_sum, with_point(in, sum_of_sizes(in->point)),
-        "of the point's coordinates the largest counts, not their sum")
-ANSWERS(by_size_of_sum,
-        with_point(in, fabs((double)in->point.x + (double)in->point.y + (double)in->point.z)),
-        "of the point's coordinates the largest counts, not the size of their sum")
-ANSWERS(by_smallest, with_point(in, smallest_of(in->point)),
-        "of the point's coordinates the largest counts, not the smallest")
-ANSWERS(by_mean, with_point(in, sum_of_sizes(in->point) / 3),
-        "of the point's coordinates the largest counts, not their mean")
-ANSWERS(without_x, with_point(in, larger(in->point.y, in->point.z)),
-        "of the point's coordinates x is not looked at")
-ANSWERS(without_y, with_point(in, larger(in->point.x, in->point.z)),
-        "of the point's coordinates y is not looked at")
-ANSWERS(without_z, with_point(in, larger(in->point.x, in->point.y)),
-        "of the point's coordinates z is not looked at")
-
-#define SIZE_FIRST "coordinates may be negative: of their sizes the largest counts"
-ANSWERS(with_sign, with_point(in, largest_with_sign(in->point)), SIZE_FIRST)
-ANSWERS(size_late, with_point(in, fabs(largest_with_sign(in->point))), SIZE_FIRST)
-ANSWERS(sign_of_z, with_point(in, fmax(larger(in->point.x, in->point.y), in->point.z)), SIZE_FIRST)
-
 // Of two of the coordinates the larger, or the smaller, and so on with the third; with its sign or
 // without, a bit for each.
 static double by_way(Vec3 p, int way)
@@ -173,18 +127,12 @@ static double by_way(Vec3 p, int way)
     return way & 2 ? fmin(two, z) : fmax(two, z);
 }
 
-ANY(other_largest, 32, IS_FOUND(with_point(in, by_way(in->point, way))),
-    "of the sizes of all three coordinates the largest counts: here it is another number")
-
 // A bit for each of the three numbers: taken off.
 static double with_signs(const StartJob *in, int way)
 {
     return offset_by(way & 1 ? -in->t : in->t, size_of(in->radius) * (way & 2 ? -1 : 1),
                      largest_of(in->point) * (way & 4 ? -1 : 1));
 }
-
-ANY(taken_off, 8, IS_FOUND(with_signs(in, way)),
-    "one of the three numbers is taken off: all are added")
 
 // Where the point comes to when each coordinate moves by its own size.
 static int is_moved_by_coordinate(const StartJob *in, Vec3 found)
@@ -196,13 +144,6 @@ static int is_moved_by_coordinate(const StartJob *in, Vec3 found)
                                    with_point(in, fabs(p.z)) * (double)n.z};
     return vector_length(vector_minus(way, expected)) <= moved(in, found).rounding;
 }
-
-EACH(by_coordinate, is_moved_by_coordinate(in, found),
-     "each coordinate moves by its own size: the largest one's counts for all three")
-
-// Too far everywhere, or one distance.
-ONLY(too_far, moved(in, found).along > 2 * offset_of(in) + moved(in, found).rounding,
-     "farther than needed: what is near is not seen")
 
 // By which distance the points are moved is said where rounding is least: where the numbers are
 // small, so that this is also where no more than a least distance is needed.
@@ -232,18 +173,79 @@ static int all_are_moved_along(const Job09 *job, const Vec3 *found, double dista
     return j == COUNT(job->starts);
 }
 
-ONLY(same_distance, all_are_moved_along(job, answers, surest_distance(job, answers)),
-     "the same distance everywhere: rounding grows with the numbers")
-ONLY(least_distance, is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
-     "never less than a fixed distance: that is too much where the numbers are small")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-static const Known *const known[] = {
-    &unmoved,        &other_side,    &half,         &largest,       &by_sum,
-    &by_size_of_sum, &by_smallest,   &by_mean,      &without_x,     &without_y,
-    &without_z,      &with_sign,     &size_late,    &sign_of_z,     &one_share,
-    &by_coordinate,  &signed_radius, &unsigned_sum, &without_t,     &without_radius,
-    &without_point,  &only_t,        &only_radius,  &only_point,    &same_distance,
-    &least_distance, &too_far,       &product,      &other_largest, &taken_off};
+    ANSWERS(unmoved, 0.0,
+            "the point was not moved: new rays would hit the surface that they leave");
+    ANSWERS(other_side, -offset_of(in), "it was moved to the other side: against the normal");
+    ANSWERS(half, offset_of(in) / 2, "it was moved half as far as needed");
+
+    ANSWERS(largest, offset_by(0, 0, fmax(in->t, fmax(size_of(in->radius), largest_of(in->point)))),
+            "the sum of the three numbers counts, not the largest of them");
+    ANSWERS(one_share, offset_by(in->t, 0, 0) + size_of(in->radius) + largest_of(in->point),
+            "SURFACE_ERROR counts for each of the three numbers: parentheses are missing");
+    ANSWERS(signed_radius, offset_by(in->t, in->radius, largest_of(in->point)),
+            "the radius may be negative: its size is added");
+    ANSWERS(
+        unsigned_sum, offset_by(0, fabs((double)in->t + in->radius), largest_of(in->point)),
+        "the radius may be negative: it is its own size that counts, not that of its sum with t");
+    ANSWERS(product, offset_by(in->t * size_of(in->radius) * largest_of(in->point), 0, 0),
+            "t, the radius and the coordinate were multiplied: their sum counts");
+    ANSWERS(without_t, offset_by(0, size_of(in->radius), largest_of(in->point)),
+            "t is missing in the sum");
+    ANSWERS(without_radius, offset_by(in->t, 0, largest_of(in->point)),
+            "the radius is missing in the sum");
+    ANSWERS(without_point, offset_by(in->t, size_of(in->radius), 0),
+            "the point's coordinate is missing in the sum");
+    ANSWERS(only_t, offset_by(in->t, 0, 0), "only t counts in the sum");
+    ANSWERS(only_radius, offset_by(0, size_of(in->radius), 0), "only the radius counts in the sum");
+    ANSWERS(only_point, offset_by(0, 0, largest_of(in->point)),
+            "only the point's coordinate counts in the sum");
+
+    ANSWERS(by_sum, with_point(in, sum_of_sizes(in->point)),
+            "of the point's coordinates the largest counts, not their sum");
+    ANSWERS(by_size_of_sum,
+            with_point(in, fabs((double)in->point.x + (double)in->point.y + (double)in->point.z)),
+            "of the point's coordinates the largest counts, not the size of their sum");
+    ANSWERS(by_smallest, with_point(in, smallest_of(in->point)),
+            "of the point's coordinates the largest counts, not the smallest");
+    ANSWERS(by_mean, with_point(in, sum_of_sizes(in->point) / 3),
+            "of the point's coordinates the largest counts, not their mean");
+    ANSWERS(without_x, with_point(in, larger(in->point.y, in->point.z)),
+            "of the point's coordinates x is not looked at");
+    ANSWERS(without_y, with_point(in, larger(in->point.x, in->point.z)),
+            "of the point's coordinates y is not looked at");
+    ANSWERS(without_z, with_point(in, larger(in->point.x, in->point.y)),
+            "of the point's coordinates z is not looked at");
+
+#define SIZE_FIRST "coordinates may be negative: of their sizes the largest counts"
+    ANSWERS(with_sign, with_point(in, largest_with_sign(in->point)), SIZE_FIRST);
+    ANSWERS(size_late, with_point(in, fabs(largest_with_sign(in->point))), SIZE_FIRST);
+    ANSWERS(sign_of_z, with_point(in, fmax(larger(in->point.x, in->point.y), in->point.z)),
+            SIZE_FIRST);
+
+    ANY(other_largest, 32, IS_FOUND(with_point(in, by_way(in->point, way))),
+        "of the sizes of all three coordinates the largest counts: here it is another number");
+
+    ANY(taken_off, 8, IS_FOUND(with_signs(in, way)),
+        "one of the three numbers is taken off: all are added");
+
+    EACH(by_coordinate, is_moved_by_coordinate(in, found),
+         "each coordinate moves by its own size: the largest one's counts for all three");
+
+    ONLY(same_distance, all_are_moved_along(job, answers, surest_distance(job, answers)),
+         "the same distance everywhere: rounding grows with the numbers");
+
+    ONLY(least_distance,
+         is_moved_along(in, found, fmax(surest_distance(job, answers), offset_of(in))),
+         "never less than a fixed distance: that is too much where the numbers are small");
+    // Too far everywhere, or one distance.
+    ONLY(too_far, moved(in, found).along > 2 * offset_of(in) + moved(in, found).rounding,
+         "farther than needed: what is near is not seen");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

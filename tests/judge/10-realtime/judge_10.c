@@ -158,27 +158,15 @@ static const JudgeCheck checks[] = {
 };
 
 static const JobPart parts[] = {
-    PART("tile_planes", "plane_interval", Job10, planes),
-    PART("tile_children", "next_tile_child", Job10, children),
-    PART("tile_waiting", "next_tile_waiting", Job10, waiting),
-    PART("cones", "cone_misses_sphere", Job10, cones),
-    PART("circle_rows", "paint_row", Job10, rows),
-    PART("circle_nodes", "tile_leaf", Job10, circle_nodes),
-    PART("leaf_circles", "tile_leaf", Job10, leaf_circles),
-    PART("tile_leaves", "tile_leaf", Job10, circle_tiles),
-    PART("circle_tiles", NULL, Job10, circle_tiles),
-};
-
-static const ProbeStep steps[] = {
-    ON_DEVICE("tile_planes", "plane_interval", TilePlaneJob),
-    ON_DEVICE("tile_children", "next_tile_child", TileChildJob),
-    {"tile_waiting", "in next_tile_waiting", "next_tile_waiting", sizeof(TileWaitingJob), NULL,
-     suspect_waiting_10},
-    ON_DEVICE("cones", "cone_misses_sphere", ConeJob),
-    ON_DEVICE("circle_rows", "paint_row", CircleRowJob),
-    ON_DEVICE("tile_leaves", "tile_leaf", CircleTileJob),
-    {"circle_tiles", "in tile_leaf or paint_row", NULL, sizeof(CircleTileJob), NULL, NULL},
-    ON_SCENES("picture", "in trace_tile", NULL),
+    INPUTS("tile_planes", "plane_interval", Job10, planes),
+    INPUTS("tile_children", "next_tile_child", Job10, children),
+    INPUTS("tile_waiting", "next_tile_waiting", Job10, waiting, .suspect = suspect_waiting_10),
+    INPUTS("cones", "cone_misses_sphere", Job10, cones),
+    INPUTS("circle_rows", "paint_row", Job10, rows),
+    DATA("circle_nodes", "tile_leaf", Job10, circle_nodes),
+    DATA("leaf_circles", "tile_leaf", Job10, leaf_circles),
+    INPUTS("tile_leaves", "tile_leaf", Job10, circle_tiles),
+    INPUTS("circle_tiles", "tile_leaf paint_row", Job10, circle_tiles, .is_apart = 1),
 };
 
 const Judge judge_10 = {
@@ -190,7 +178,6 @@ const Judge judge_10 = {
     .parts = parts,
     .n_parts = COUNT(parts),
     .scenes = SCENES(job_scene3d_kind, Job10, scenes),
-    .steps = steps,
-    .n_steps = COUNT(steps),
+    .scene_steps = {{"picture", "in trace_tile", NULL}},
     .write_scene = write_scene,
 };

@@ -133,177 +133,75 @@ static NextChildAnswer visited(const TileChildJob *in, int children, TodoEntry n
     return children == BOTH_CHILDREN ? with_waiting(answer, far) : answer;
 }
 
-#define T_MIN in->at.t_min
-#define T_MAX in->at.t_max
-#define LOW in->split_low
-#define HIGH in->split_high
-#define IS_BEYOND (LOW > T_MAX)
-#define IS_BEFORE (HIGH < T_MIN)
-#define MET met(IS_BEYOND, IS_BEFORE)
+static int right_met(const TileChildJob *in)
+{
+    return met(in->split_low > in->at.t_max, in->split_high < in->at.t_min);
+}
 
 // The near child lies to this side; these are met.
 static NextChildAnswer child(const TileChildJob *in, u32 side, int children)
 {
     const int is_cut = children == BOTH_CHILDREN;
-    return visited(in, children,
-                   (TodoEntry){in->node.first + side, T_MIN, is_cut ? fminf(T_MAX, HIGH) : T_MAX},
-                   (TodoEntry){in->node.first + !side, is_cut ? fmaxf(T_MIN, LOW) : T_MIN, T_MAX});
+    const float t_min = in->at.t_min, t_max = in->at.t_max;
+    const float near_ends = is_cut ? fminf(t_max, in->split_high) : t_max;
+    const float far_begins = is_cut ? fmaxf(t_min, in->split_low) : t_min;
+    return visited(in, children, (TodoEntry){in->node.first + side, t_min, near_ends},
+                   (TodoEntry){in->node.first + !side, far_begins, t_max});
 }
 
-#define SIDE (in->eye > in->node.split_pos)
-#define CHILD child(in, SIDE, MET)
+static u32 side_of(const TileChildJob *in)
+{
+    return in->eye > in->node.split_pos;
+}
 
-RIGHT(is_right, IS_FOUND(CHILD))
+static NextChildAnswer right_child(const TileChildJob *in)
+{
+    return child(in, side_of(in), right_met(in));
+}
+
+RIGHT(is_right, IS_FOUND(right_child(in)))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
 // By which child is near, and their ids.
 static NextChildAnswer with_ids(const TileChildJob *in, u32 near, u32 far)
 {
-    NextChildAnswer answer = CHILD;
-    answer.next.node = MET == FAR_ONLY ? far : near;
-    if (MET == BOTH_CHILDREN) {
+    NextChildAnswer answer = right_child(in);
+    answer.next.node = right_met(in) == FAR_ONLY ? far : near;
+    if (right_met(in) == BOTH_CHILDREN) {
         answer.todo.upper[in->todo.n - in->todo.n_lower].node = far;
     }
     return answer;
 }
 
-ANSWERS(swapped, child(in, !SIDE, MET), "that is as if near and far child were swapped")
-ANSWERS(lower_is_near, child(in, 0, MET),
-        "the near child is the one on the eye's side, not always the lower one")
-ANSWERS(eye_is_upper, child(in, in->eye >= in->node.split_pos, MET),
-        "an eye on the plane counts to the lower side")
-ANSWERS(is_side, with_ids(in, SIDE, !SIDE),
-        "0 and 1 are sides: the children's ids are node.first and node.first + 1")
-ANSWERS(by_bit, with_ids(in, in->node.first + SIDE, (in->node.first + SIDE) ^ 1),
-        "the two children are node.first and node.first + 1, where node.first is odd, too")
-
 // By which of them are met. A step is more than the hairs of the edges, less than what is rolled.
 #define LEAST_STEP 0x1p-10f
 #define MEETS(name, is_beyond, is_before, ...)                                                     \
-    ANSWERS(name, child(in, SIDE, met(is_beyond, is_before)), __VA_ARGS__)
-MEETS(always_waits, 0, IS_BEFORE,
-      "that is as if the far child waited also where every ray's part ends before the plane")
-MEETS(never_skipped, IS_BEYOND, 0,
-      "that is as if the near child were visited also where every ray's part begins beyond the "
-      "plane")
-MEETS(far_is_near, IS_BEYOND || IS_BEFORE, 0,
-      "where every ray's part begins beyond the plane, the far child is left")
-MEETS(one_at_ends, LOW >= T_MAX, HIGH <= T_MIN,
-      "where the plane is met exactly at t_min or t_max, both children are met")
-MEETS(near_at_t_max, LOW >= T_MAX, IS_BEFORE,
-      "where the first ray meets the plane exactly at t_max, both children are met")
-MEETS(far_at_t_min, IS_BEYOND, HIGH <= T_MIN,
-      "where the last ray meets the plane exactly at t_min, both children are met")
-MEETS(other_ends, HIGH > T_MAX, LOW < T_MIN,
-      "one child is enough only where that holds for every ray: the other end of the interval "
-      "decides")
-MEETS(near_for_any, HIGH > T_MAX, IS_BEFORE,
-      "where the interval reaches beyond t_max, some rays may still meet the plane before it")
-MEETS(far_for_any, IS_BEYOND, LOW < T_MIN,
-      "where the interval begins before t_min, some rays may still meet the plane behind it")
-MEETS(epsilon, LOW > T_MAX + LEAST_STEP, HIGH < T_MIN - LEAST_STEP,
-      "beyond t_max and before t_min one child is enough, however near: without an epsilon")
-MEETS(never_is_near, IS_BEYOND || isinf(HIGH), IS_BEFORE,
-      "where some rays never meet the plane, others do: an interval that ends at INFINITY does not "
-      "mean the near child alone")
-MEETS(at_0_is_far, IS_BEYOND, IS_BEFORE || HIGH == 0,
-      "a plane that is met at 0 is met: where the part begins at 0, so are both children")
-MEETS(ends_crossed, LOW > T_MIN, HIGH < T_MAX,
-      "t_min and t_max stand in each other's place in the two comparisons")
-
-#define POINT_MEETS_BOTH                                                                           \
-    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
-MEETS(point_is_near, IS_BEYOND || (T_MIN == T_MAX && !IS_BEFORE), IS_BEFORE, POINT_MEETS_BOTH)
-MEETS(point_is_far, IS_BEYOND, IS_BEFORE || T_MIN == T_MAX, POINT_MEETS_BOTH)
+    ANSWERS(name, child(in, side, met(is_beyond, is_before)), __VA_ARGS__)
 
 // By their parts.
 static TodoEntry near_to(const TileChildJob *in, float t_max)
 {
-    return (TodoEntry){in->node.first + SIDE, T_MIN, t_max};
+    return (TodoEntry){in->node.first + side_of(in), in->at.t_min, t_max};
 }
 
 static TodoEntry far_from(const TileChildJob *in, float t_min)
 {
-    return (TodoEntry){in->node.first + !SIDE, t_min, T_MAX};
+    return (TodoEntry){in->node.first + !side_of(in), t_min, in->at.t_max};
 }
 
 // Other parts where both are met.
 static NextChildAnswer parted(const TileChildJob *in, TodoEntry near, TodoEntry far)
 {
-    return MET == BOTH_CHILDREN ? visited(in, MET, near, far) : CHILD;
+    return right_met(in) == BOTH_CHILDREN ? visited(in, right_met(in), near, far) : right_child(in);
 }
 
-#define NEAR near_to(in, fminf(T_MAX, HIGH))
-#define FAR far_from(in, fmaxf(T_MIN, LOW))
 #define PARTS(name, near, far, ...) ANSWERS(name, parted(in, near, far), __VA_ARGS__)
 
 static TodoEntry with_ends(TodoEntry entry, float t_min, float t_max)
 {
     return (TodoEntry){entry.node, t_min, t_max};
 }
-
-PARTS(near_waits, FAR, NEAR, "the near child waits, and the far one is visited first")
-PARTS(near_keeps_t_max, near_to(in, T_MAX), FAR,
-      "the near child's part ends at the greatest t_split, where that is before t_max")
-PARTS(far_keeps_t_min, NEAR, far_from(in, T_MIN),
-      "the far child's part begins at the least t_split, where that is beyond t_min")
-PARTS(near_cut_at_low, near_to(in, fminf(T_MAX, LOW)), FAR,
-      "the near child's part ends at the least t_split: rays that meet the plane later lose some "
-      "of it")
-PARTS(near_widened, near_to(in, HIGH), FAR,
-      "the near child's part ends beyond t_max: a part never grows on the way down")
-PARTS(far_widened, NEAR, far_from(in, LOW),
-      "the far child's part begins before t_min: a part never grows on the way down")
-PARTS(both_uncut, near_to(in, HIGH), far_from(in, LOW),
-      "both parts are wider than the node's own, [t_min, t_max]: a part never grows on the way "
-      "down")
-PARTS(both_whole, near_to(in, T_MAX), far_from(in, T_MIN),
-      "both children have the whole part: the near one's ends at the greatest t_split, the far "
-      "one's begins at the least")
-PARTS(both_widened, near_to(in, fmaxf(T_MAX, HIGH)), far_from(in, fminf(T_MIN, LOW)),
-      "the least and the greatest are swapped: a part never grows on the way down")
-PARTS(far_ends, NEAR, with_ends(FAR, FAR.t_min, HIGH),
-      "the far child's part ends at t_max: behind the plane the rays are in it up to there")
-PARTS(far_cut_too, NEAR, with_ends(FAR, FAR.t_min, NEAR.t_max),
-      "the far child's part ends where the near one's does: t_max was changed before it was used "
-      "again")
-PARTS(parts_swapped, with_ends(NEAR, FAR.t_min, T_MAX), with_ends(FAR, T_MIN, NEAR.t_max),
-      "the two parts are swapped: the near child has the one up to the greatest t_split, the far "
-      "child the one from the least")
-
-#define FAR_BEGINS_LATE                                                                            \
-    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
-    "some of it"
-PARTS(far_from_high, NEAR, far_from(in, fmaxf(T_MIN, HIGH)), FAR_BEGINS_LATE)
-PARTS(far_from_end, NEAR, far_from(in, fmaxf(T_MIN, fminf(T_MAX, HIGH))), FAR_BEGINS_LATE)
-
-PARTS(parts_crossed, near_to(in, fminf(T_MAX, LOW)), far_from(in, fmaxf(T_MIN, HIGH)),
-      "the least and the greatest t_split are swapped: the near child's part ends at the greatest, "
-      "the far child's begins at the least")
-
-#define ONE_IS_ENOUGH                                                                              \
-    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
-    "before it, one of them is enough"
-MEETS(both_always, 0, 0, ONE_IS_ENOUGH)
-ANSWERS(always_whole, visited(in, BOTH_CHILDREN, near_to(in, T_MAX), far_from(in, T_MIN)),
-        ONE_IS_ENOUGH)
-ANSWERS(always_uncut, visited(in, BOTH_CHILDREN, near_to(in, HIGH), far_from(in, LOW)),
-        ONE_IS_ENOUGH)
-
-ANSWERS(far_alone, MET == FAR_ONLY ? visited(in, MET, NEAR, far_from(in, LOW)) : CHILD,
-        "where the far child alone is met, the part stays as it is: it does not begin at the least "
-        "t_split")
-ANSWERS(near_alone, MET == NEAR_ONLY ? visited(in, MET, near_to(in, HIGH), FAR) : CHILD,
-        "where the near child alone is met, the part stays as it is: it does not end at the "
-        "greatest t_split")
-
-// By what waits.
-ANSWERS(far_dropped, ((NextChildAnswer){CHILD.next, in->todo}),
-        "that is as if the far child were never visited where both are met: it does not wait",
-        MISTAKE_FAR_CHILD)
-ANSWERS(both_wait, MET == BOTH_CHILDREN ? with_waiting(CHILD, NEAR) : CHILD,
-        "the near child is visited next, and must not wait as well")
 
 // What is added to node.first: the side, the other one, always the same, too much, too little, or
 // by an eye on the plane that counts to the upper side.
@@ -314,77 +212,190 @@ static u32 child_by(const TileChildJob *in, u32 added, int way)
     return in->node.first + by[way];
 }
 
-ANY(one_child, 49,
-    IS_FOUND(with_ids(in, child_by(in, SIDE, way % 7), child_by(in, !SIDE, way / 7))),
-    "near and far child are not the two: the near one is on the eye's side, the far one is the "
-    "other")
-
 static int compares(float a, float b, int way)
 {
     return way == 0 ? a > b : way == 1 ? a >= b : way == 2 ? a < b : a <= b;
 }
 
-#define COMPARES(way) compares(way & 1 ? HIGH : LOW, way & 2 ? T_MIN : T_MAX, way >> 2)
-ANY(other_beyond, 16, IS_FOUND(child(in, SIDE, met(COMPARES(way), IS_BEFORE))),
-    "the near child alone is visited if the least t_split is beyond t_max: something else is "
-    "compared")
-ANY(other_before, 16, IS_FOUND(child(in, SIDE, met(IS_BEYOND, COMPARES(way)))),
-    "the far child alone is visited if the greatest t_split is before t_min: something else is "
-    "compared")
-
 // A part that is another: two of all ends that there are, of one child or the other.
 enum { N_ENDS = 8, N_PARTS = 2 * N_ENDS * N_ENDS };
 static TodoEntry part_by(const TileChildJob *in, u32 side, int way)
 {
-    const float ends[N_ENDS] = {T_MIN,
-                                T_MAX,
-                                LOW,
-                                HIGH,
-                                fminf(T_MAX, HIGH),
-                                fmaxf(T_MIN, LOW),
-                                fminf(T_MIN, LOW),
-                                fmaxf(T_MAX, HIGH)};
+    const float ends[N_ENDS] = {in->at.t_min,
+                                in->at.t_max,
+                                in->split_low,
+                                in->split_high,
+                                fminf(in->at.t_max, in->split_high),
+                                fmaxf(in->at.t_min, in->split_low),
+                                fminf(in->at.t_min, in->split_low),
+                                fmaxf(in->at.t_max, in->split_high)};
     return (TodoEntry){in->node.first + (side ^ (u32)way / (N_ENDS * N_ENDS)),
                        ends[way / N_ENDS % N_ENDS], ends[way % N_ENDS]};
 }
 
 static NextChildAnswer one_by(const TileChildJob *in, int children, int way)
 {
-    const TodoEntry part = part_by(in, children == FAR_ONLY ? !SIDE : SIDE, way);
-    return MET == children ? visited(in, MET, part, part) : CHILD;
+    const TodoEntry part = part_by(in, children == FAR_ONLY ? !side_of(in) : side_of(in), way);
+    return right_met(in) == children ? visited(in, right_met(in), part, part) : right_child(in);
 }
+
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const float t_min = in->at.t_min, t_max = in->at.t_max;
+    const float low = in->split_low, high = in->split_high;
+    const int is_beyond = low > t_max, is_before = high < t_min, children = right_met(in);
+    const u32 side = side_of(in);
+    const TodoEntry near = near_to(in, fminf(t_max, high)), far = far_from(in, fmaxf(t_min, low));
+    const NextChildAnswer right = right_child(in);
+
+    ANSWERS(swapped, child(in, !side, children), "that is as if near and far child were swapped");
+    ANSWERS(lower_is_near, child(in, 0, children),
+            "the near child is the one on the eye's side, not always the lower one");
+    ANSWERS(eye_is_upper, child(in, in->eye >= in->node.split_pos, children),
+            "an eye on the plane counts to the lower side");
+    ANSWERS(is_side, with_ids(in, side, !side),
+            "0 and 1 are sides: the children's ids are node.first and node.first + 1");
+    ANSWERS(by_bit, with_ids(in, in->node.first + side, (in->node.first + side) ^ 1),
+            "the two children are node.first and node.first + 1, where node.first is odd, too");
+    MEETS(always_waits, 0, is_before,
+          "that is as if the far child waited also where every ray's part ends before the plane");
+    MEETS(never_skipped, is_beyond, 0,
+          "that is as if the near child were visited also where every ray's part begins beyond the "
+          "plane");
+    MEETS(far_is_near, is_beyond || is_before, 0,
+          "where every ray's part begins beyond the plane, the far child is left");
+    MEETS(one_at_ends, low >= t_max, high <= t_min,
+          "where the plane is met exactly at t_min or t_max, both children are met");
+    MEETS(near_at_t_max, low >= t_max, is_before,
+          "where the first ray meets the plane exactly at t_max, both children are met");
+    MEETS(far_at_t_min, is_beyond, high <= t_min,
+          "where the last ray meets the plane exactly at t_min, both children are met");
+    MEETS(other_ends, high > t_max, low < t_min,
+          "one child is enough only where that holds for every ray: the other end of the interval "
+          "decides");
+    MEETS(near_for_any, high > t_max, is_before,
+          "where the interval reaches beyond t_max, some rays may still meet the plane before it");
+    MEETS(far_for_any, is_beyond, low < t_min,
+          "where the interval begins before t_min, some rays may still meet the plane behind it");
+    MEETS(epsilon, low > t_max + LEAST_STEP, high < t_min - LEAST_STEP,
+          "beyond t_max and before t_min one child is enough, however near: without an epsilon");
+    MEETS(never_is_near, is_beyond || isinf(high), is_before,
+          "where some rays never meet the plane, others do: an interval that ends at INFINITY does "
+          "not mean the near child alone");
+    MEETS(at_0_is_far, is_beyond, is_before || high == 0,
+          "a plane that is met at 0 is met: where the part begins at 0, so are both children");
+    MEETS(ends_crossed, low > t_min, high < t_max,
+          "t_min and t_max stand in each other's place in the two comparisons");
+
+#define POINT_MEETS_BOTH                                                                           \
+    "a part whose ends are equal counts, too: where t_split reaches over it both children are met"
+    MEETS(point_is_near, is_beyond || (t_min == t_max && !is_before), is_before, POINT_MEETS_BOTH);
+    MEETS(point_is_far, is_beyond, is_before || t_min == t_max, POINT_MEETS_BOTH);
+
+    PARTS(near_waits, far, near, "the near child waits, and the far one is visited first");
+    PARTS(near_keeps_t_max, near_to(in, t_max), far,
+          "the near child's part ends at the greatest t_split, where that is before t_max");
+    PARTS(far_keeps_t_min, near, far_from(in, t_min),
+          "the far child's part begins at the least t_split, where that is beyond t_min");
+    PARTS(near_cut_at_low, near_to(in, fminf(t_max, low)), far,
+          "the near child's part ends at the least t_split: rays that meet the plane later lose "
+          "some of it");
+    PARTS(near_widened, near_to(in, high), far,
+          "the near child's part ends beyond t_max: a part never grows on the way down");
+    PARTS(far_widened, near, far_from(in, low),
+          "the far child's part begins before t_min: a part never grows on the way down");
+    PARTS(both_uncut, near_to(in, high), far_from(in, low),
+          "both parts are wider than the node's own, [t_min, t_max]: a part never grows on the way "
+          "down");
+    PARTS(both_whole, near_to(in, t_max), far_from(in, t_min),
+          "both children have the whole part: the near one's ends at the greatest t_split, the far "
+          "one's begins at the least");
+    PARTS(both_widened, near_to(in, fmaxf(t_max, high)), far_from(in, fminf(t_min, low)),
+          "the least and the greatest are swapped: a part never grows on the way down");
+    PARTS(far_ends, near, with_ends(far, far.t_min, high),
+          "the far child's part ends at t_max: behind the plane the rays are in it up to there");
+    PARTS(far_cut_too, near, with_ends(far, far.t_min, near.t_max),
+          "the far child's part ends where the near one's does: t_max was changed before it was "
+          "used again");
+    PARTS(parts_swapped, with_ends(near, far.t_min, t_max), with_ends(far, t_min, near.t_max),
+          "the two parts are swapped: the near child has the one up to the greatest t_split, the "
+          "far child the one from the least");
+
+#define FAR_BEGINS_LATE                                                                            \
+    "the far child's part begins at the greatest t_split: rays that meet the plane earlier lose "  \
+    "some of it"
+    PARTS(far_from_high, near, far_from(in, fmaxf(t_min, high)), FAR_BEGINS_LATE);
+    PARTS(far_from_end, near, far_from(in, fmaxf(t_min, fminf(t_max, high))), FAR_BEGINS_LATE);
+
+    PARTS(parts_crossed, near_to(in, fminf(t_max, low)), far_from(in, fmaxf(t_min, high)),
+          "the least and the greatest t_split are swapped: the near child's part ends at the "
+          "greatest, the far child's begins at the least");
+
+#define ONE_IS_ENOUGH                                                                              \
+    "that is as if both children were always visited: where t_split is beyond the whole part, or " \
+    "before it, one of them is enough"
+    MEETS(both_always, 0, 0, ONE_IS_ENOUGH);
+    ANSWERS(always_whole, visited(in, BOTH_CHILDREN, near_to(in, t_max), far_from(in, t_min)),
+            ONE_IS_ENOUGH);
+    ANSWERS(always_uncut, visited(in, BOTH_CHILDREN, near_to(in, high), far_from(in, low)),
+            ONE_IS_ENOUGH);
+
+    ANSWERS(far_alone,
+            children == FAR_ONLY ? visited(in, children, near, far_from(in, low)) : right,
+            "where the far child alone is met, the part stays as it is: it does not begin at the "
+            "least t_split");
+    ANSWERS(near_alone,
+            children == NEAR_ONLY ? visited(in, children, near_to(in, high), far) : right,
+            "where the near child alone is met, the part stays as it is: it does not end at the "
+            "greatest t_split");
+
+    // By what waits.
+    ANSWERS(far_dropped, ((NextChildAnswer){right.next, in->todo}),
+            "that is as if the far child were never visited where both are met: it does not wait",
+            MISTAKE_FAR_CHILD);
+    ANSWERS(both_wait, children == BOTH_CHILDREN ? with_waiting(right, near) : right,
+            "the near child is visited next, and must not wait as well");
+
+    ANY(one_child, 49,
+        IS_FOUND(with_ids(in, child_by(in, side, way % 7), child_by(in, !side, way / 7))),
+        "near and far child are not the two: the near one is on the eye's side, the far one is the "
+        "other");
+    ANY(other_beyond, 16,
+        IS_FOUND(child(
+            in, side,
+            met(compares(way & 1 ? high : low, way & 2 ? t_min : t_max, way >> 2), is_before))),
+        "the near child alone is visited if the least t_split is beyond t_max: something else is "
+        "compared");
+    ANY(other_before, 16,
+        IS_FOUND(child(
+            in, side,
+            met(is_beyond, compares(way & 1 ? high : low, way & 2 ? t_min : t_max, way >> 2)))),
+        "the far child alone is visited if the greatest t_split is before t_min: something else is "
+        "compared");
 
 #define BOTH_PARTS                                                                                 \
     "where both children are met the near one's part ends at the greatest t_split, the far one's " \
     "begins at the least, and neither grows: child or part is another"
 #define WHOLE_PART "where one child alone is met it gets the whole part: child or part is another"
-ANY(near_part, N_PARTS, IS_FOUND(parted(in, part_by(in, SIDE, way), FAR)), BOTH_PARTS)
-ANY(far_part, N_PARTS, IS_FOUND(parted(in, NEAR, part_by(in, !SIDE, way))), BOTH_PARTS)
-ANY(only_near_part, N_PARTS, IS_FOUND(one_by(in, NEAR_ONLY, way)), WHOLE_PART)
-ANY(only_far_part, N_PARTS, IS_FOUND(one_by(in, FAR_ONLY, way)), WHOLE_PART)
-
-static const Known *const known[] = {
-    &swapped,       &lower_is_near,    &eye_is_upper,    &is_side,         &by_bit,
-    &always_waits,  &never_skipped,    &far_is_near,     &one_at_ends,     &near_at_t_max,
-    &far_at_t_min,  &other_ends,       &near_for_any,    &far_for_any,     &epsilon,
-    &never_is_near, &at_0_is_far,      &ends_crossed,    &point_is_near,   &point_is_far,
-    &near_waits,    &near_keeps_t_max, &far_keeps_t_min, &near_cut_at_low, &near_widened,
-    &far_widened,   &both_uncut,       &both_whole,      &both_widened,    &far_ends,
-    &far_cut_too,   &parts_swapped,    &far_from_high,   &far_from_end,    &both_always,
-    &always_whole,  &always_uncut,     &far_alone,       &near_alone,      &far_dropped,
-    &both_wait,     &parts_crossed,    &one_child,       &other_beyond,    &other_before,
-    &near_part,     &far_part,         &only_near_part,  &only_far_part};
+    ANY(near_part, N_PARTS, IS_FOUND(parted(in, part_by(in, side, way), far)), BOTH_PARTS);
+    ANY(far_part, N_PARTS, IS_FOUND(parted(in, near, part_by(in, !side, way))), BOTH_PARTS);
+    ANY(only_near_part, N_PARTS, IS_FOUND(one_by(in, NEAR_ONLY, way)), WHOLE_PART);
+    ANY(only_far_part, N_PARTS, IS_FOUND(one_by(in, FAR_ONLY, way)), WHOLE_PART);
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const NextChildAnswer expected = CHILD;
+    const NextChildAnswer expected = right_child(in);
     return message_new("children %u and %u, plane at %g, eye at %g, t_split [%.9g, %.9g], part "
                        "[%g, %g]: your code goes on with %s, expected %s",
-                       in->node.first, in->node.first + 1, in->node.split_pos, in->eye, LOW, HIGH,
-                       T_MIN, T_MAX, next_child_words(&in->todo, found).text,
+                       in->node.first, in->node.first + 1, in->node.split_pos, in->eye,
+                       in->split_low, in->split_high, in->at.t_min, in->at.t_max,
+                       next_child_words(&in->todo, found).text,
                        next_child_words(&in->todo, &expected).text);
 }
 

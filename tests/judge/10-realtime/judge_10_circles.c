@@ -218,17 +218,39 @@ static int is_ambiguous(const CircleScene10 *scene, int x, int y)
 #define GIVEN                                                                                      \
     const Job10 *in = job;                                                                         \
     const CircleTileAnswer *found = (const CircleTileAnswer *)answers + i
-#define TILE in->circle_tiles[i]
-#define SCENE (&in->circle_scenes[in->scene_of_tile[i]])
-#define X_OF(pixel) (TILE.x + (pixel) % ROW_PIXELS)
-#define Y_OF(pixel) (TILE.y + (pixel) / ROW_PIXELS)
+
+static const CircleScene10 *scene_of(const Job10 *job, int i)
+{
+    return &job->circle_scenes[job->scene_of_tile[i]];
+}
+
+// A pixel of tile i, in the picture.
+static int x_of(const Job10 *job, int i, int pixel)
+{
+    return job->circle_tiles[i].x + pixel % ROW_PIXELS;
+}
+
+static int y_of(const Job10 *job, int i, int pixel)
+{
+    return job->circle_tiles[i].y + pixel / ROW_PIXELS;
+}
+
+static u32 color_of(const Job10 *job, int i, int pixel)
+{
+    return expected_color(scene_of(job, i), x_of(job, i, pixel), y_of(job, i, pixel));
+}
+
+static int is_ambiguous_at(const Job10 *job, int i, int pixel)
+{
+    return is_ambiguous(scene_of(job, i), x_of(job, i, pixel), y_of(job, i, pixel));
+}
 
 // The first wrong pixel of a tile, or CIRCLE_TILE_PIXELS.
 static int wrong_pixel(const Job10 *in, int i, const CircleTileAnswer *found)
 {
     int k = 0;
-    while (k < CIRCLE_TILE_PIXELS && (found->colors[k] == expected_color(SCENE, X_OF(k), Y_OF(k)) ||
-                                      is_ambiguous(SCENE, X_OF(k), Y_OF(k)))) {
+    while (k < CIRCLE_TILE_PIXELS &&
+           (found->colors[k] == color_of(in, i, k) || is_ambiguous_at(in, i, k))) {
         k++;
     }
     return k;
@@ -242,9 +264,9 @@ static char *describe_pixel(const void *job, int i, const void *answers)
     const int k = wrong_pixel(in, i, found);
     return message_new("a scene of %d circles, pixel (%d, %d), in the tile from (%d, %d) on: found "
                        "%s, expected %s",
-                       SCENE->n_circles, X_OF(k), Y_OF(k), TILE.x, TILE.y,
-                       words_rgba(found->colors[k]).text,
-                       words_rgba(expected_color(SCENE, X_OF(k), Y_OF(k))).text);
+                       scene_of(in, i)->n_circles, x_of(in, i, k), y_of(in, i, k), x_of(in, i, 0),
+                       y_of(in, i, 0), words_rgba(found->colors[k]).text,
+                       words_rgba(color_of(in, i, k)).text);
 }
 
 const Function circle_pixels_10 = {"circle_tiles",
@@ -277,7 +299,7 @@ static u32 count_needed(const Job10 *job, int i)
 static int is_ambiguous_tile(const Job10 *in, int i)
 {
     int k = 0;
-    while (k < CIRCLE_TILE_PIXELS && !is_ambiguous(SCENE, X_OF(k), Y_OF(k))) {
+    while (k < CIRCLE_TILE_PIXELS && !is_ambiguous_at(in, i, k)) {
         k++;
     }
     return k < CIRCLE_TILE_PIXELS;
@@ -285,19 +307,25 @@ static int is_ambiguous_tile(const Job10 *in, int i)
 
 // The loop is given, so the number is known: it says whether what is painted is closed, at once.
 RIGHT(is_work, found->n_tests == count_needed(in, i) || is_ambiguous_tile(in, i))
-ONLY(goes_on, found->n_tests > count_needed(in, i),
-     "the tile is done, and it goes on: what is covered is not closed")
-ONLY(given_up, found->n_tests < count_needed(in, i),
-     "the tile is given up before it is done: what is not covered is closed")
 
-static const Known *const known[] = {&goes_on, &given_up};
+KNOWN_LIST(known)
+{
+    GIVEN;
+
+    ONLY(goes_on, found->n_tests > count_needed(in, i),
+         "the tile is done, and it goes on: what is covered is not closed");
+    ONLY(given_up, found->n_tests < count_needed(in, i),
+         "the tile is given up before it is done: what is not covered is closed");
+    return NO_MORE;
+}
 
 static char *describe_work(const void *job, int i, const void *answers)
 {
     GIVEN;
     return message_new("a scene of %d circles, the tile from (%d, %d) on: found %u circles asked, "
                        "expected %u",
-                       SCENE->n_circles, TILE.x, TILE.y, found->n_tests, count_needed(in, i));
+                       scene_of(in, i)->n_circles, x_of(in, i, 0), y_of(in, i, 0), found->n_tests,
+                       count_needed(in, i));
 }
 
 const Function circle_work_10 = {"circle_tiles", N_CIRCLE_TILES, sizeof(CircleTileAnswer),

@@ -74,80 +74,6 @@ static double from_eye(ConeView view)
     return hypot(view.along, view.aside);
 }
 
-ANSWERS(never, -INFINITY,
-        "that is as if no sphere were ever missed: return 1 where all rays of the cone miss it")
-ANSWERS(always, INFINITY,
-        "that is as if every sphere were missed: return 0 where a ray of the cone may hit it")
-ANSWERS(inverted, -gap_of(view), "1 and 0 are swapped: 1 where every ray misses")
-ANSWERS(radius_signed, view.border - (double)in->radius,
-        "the radius may be negative: how large it is, is fabs(radius)")
-ANSWERS(sine_for_cosine,
-        -view.size - view.along * (double)in->cosine + view.aside * (double)in->sine,
-        "sine and cosine are swapped")
-ANSWERS(other_side, gap_by(in, view.aside, -view.along),
-        "the cone grows wider away from the eye: that part is taken off, not added")
-ANSWERS(axis_only, view.aside - view.size,
-        "that is as if the cone were its axis: rays beside it may hit what the axis misses")
-ANSWERS(without_radius, view.border,
-        "that is as if the sphere were its centre: compare with the radius")
-ANSWERS(across_axis, view.border / (double)in->cosine - view.size,
-        "the distance from the border is measured at right angles to the border, not to the axis")
-ANSWERS(by_square, view.border - view.size * view.size, "a distance is compared with a square")
-ANSWERS(diameter, view.border - 2 * view.size,
-        "spheres that the cone misses by less than twice the radius are asked all the same")
-ANSWERS(eye_distance, gap_by(in, from_eye(view), view.along),
-        "the centre's distance from the axis counts, not that from the eye")
-ANSWERS(squared, fabs(view.border) - view.size,
-        "the distance lost its sign: a centre inside of the border counts as if it were as far "
-        "outside")
-ANSWERS(behind_missed, view.along < 0 ? 1 : gap_of(view),
-        "a sphere whose centre is behind the eye may reach before it")
-ANSWERS(by_tangent, in->cosine < 0 ? -gap_of(view) : gap_of(view),
-        "divided by the cosine, which may be negative: that turns the comparison round")
-ANSWERS(unit_centre, view.border / from_eye(view) - view.size,
-        "the centre was made a unit vector: its distance is lost")
-ANSWERS(only_behind, -view.along - view.size,
-        "only spheres whose centre is behind the eye are left out")
-ANSWERS(unit_along, gap_by(in, view.aside, view.along / from_eye(view)),
-        "along the axis counts a distance, not the cosine of the centre's angle")
-ANSWERS(cube, gap_by(in, view.cube, view.along),
-        "the distance beside the axis is a length, not the largest coordinate")
-ANSWERS(without_cosine, view.aside - view.along * (double)in->sine - view.size,
-        "the cosine is missing: how far the centre is beside the axis is multiplied by it")
-ANSWERS(cosine_size,
-        fabs((double)in->cosine) * view.aside - view.along * (double)in->sine - view.size,
-        "the cosine may be negative, and stays so: nothing is outside of the cone then")
-ANSWERS(behind_plane, view.along < -view.size ? 1 : gap_of(view),
-        "where the cosine is -1 rays go to all sides: what is behind the eye is not missed, either")
-ANSWERS(by_distance, gap_by(in, view.aside, from_eye(view)),
-        "the sine goes with the part along the axis, not with the distance from the eye")
-ANSWERS(radius_added, view.border + view.size,
-        "the radius is on the wrong side: a sphere is missed where it is farther from the border "
-        "than its radius")
-ANSWERS(half_radius, view.border - view.size / 2,
-        "that is as if the sphere were half as large: compare with the radius")
-ANSWERS(along_size, gap_by(in, hypot(view.aside, view.along - fabs(view.along)), fabs(view.along)),
-        "the part along the axis may be negative, and stays so: behind the eye is outside of the "
-        "cone")
-ANSWERS(both_squared,
-        pow(view.aside, 2) * (double)in->cosine - view.along * (double)in->sine -
-            view.size * view.size,
-        "squares and distances are mixed: take the length")
-ANSWERS(from_axis_end, gap_by(in, hypot(view.along - 1, view.aside), view.along),
-        "what is beside the axis is centre - along * axis: the axis is a unit vector")
-
-#define EPSILON "the radius is compared with as it is, without an epsilon: the cone is wide enough"
-ANSWERS(added_2, gap_of(view) - 1e-2, EPSILON)
-ANSWERS(added_3, gap_of(view) - 1e-3, EPSILON)
-ANSWERS(added_4, gap_of(view) - 1e-4, EPSILON)
-ANSWERS(added_5, gap_of(view) - 1e-5, EPSILON)
-ANSWERS(added_6, gap_of(view) - 1e-6, EPSILON)
-ANSWERS(share_1, gap_of(view) - 1e-1 * view.size, EPSILON)
-ANSWERS(share_2, gap_of(view) - 1e-2 * view.size, EPSILON)
-ANSWERS(share_3, gap_of(view) - 1e-3 * view.size, EPSILON)
-ANSWERS(share_4, gap_of(view) - 1e-4 * view.size, EPSILON)
-ANSWERS(share_5, gap_of(view) - 1e-5 * view.size, EPSILON)
-
 // How far off it is where the distance beside the axis comes of a difference of squares: six
 // roundings of squares of the centre's distance.
 static double error_by_squares(ConeView view)
@@ -156,17 +82,85 @@ static double error_by_squares(ConeView view)
     return view.error + fmin(sqrt(error), error / view.aside);
 }
 
-ONLY(by_squares, fabs(gap_of(view)) <= error_by_squares(view),
-     "the digits are lost: subtract the vectors first, and then take the length")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-static const Known *const known[] = {
-    &never,       &always,         &inverted,     &radius_signed, &sine_for_cosine, &other_side,
-    &axis_only,   &without_radius, &across_axis,  &by_square,     &diameter,        &eye_distance,
-    &squared,     &behind_missed,  &by_tangent,   &unit_centre,   &only_behind,     &unit_along,
-    &cube,        &without_cosine, &cosine_size,  &behind_plane,  &by_distance,     &radius_added,
-    &half_radius, &along_size,     &both_squared, &from_axis_end, &added_2,         &added_3,
-    &added_4,     &added_5,        &added_6,      &share_1,       &share_2,         &share_3,
-    &share_4,     &share_5,        &by_squares};
+    ANSWERS(
+        never, -INFINITY,
+        "that is as if no sphere were ever missed: return 1 where all rays of the cone miss it");
+    ANSWERS(always, INFINITY,
+            "that is as if every sphere were missed: return 0 where a ray of the cone may hit it");
+    ANSWERS(inverted, -gap_of(view), "1 and 0 are swapped: 1 where every ray misses");
+    ANSWERS(radius_signed, view.border - (double)in->radius,
+            "the radius may be negative: how large it is, is fabs(radius)");
+    ANSWERS(sine_for_cosine,
+            -view.size - view.along * (double)in->cosine + view.aside * (double)in->sine,
+            "sine and cosine are swapped");
+    ANSWERS(other_side, gap_by(in, view.aside, -view.along),
+            "the cone grows wider away from the eye: that part is taken off, not added");
+    ANSWERS(axis_only, view.aside - view.size,
+            "that is as if the cone were its axis: rays beside it may hit what the axis misses");
+    ANSWERS(without_radius, view.border,
+            "that is as if the sphere were its centre: compare with the radius");
+    ANSWERS(
+        across_axis, view.border / (double)in->cosine - view.size,
+        "the distance from the border is measured at right angles to the border, not to the axis");
+    ANSWERS(by_square, view.border - view.size * view.size, "a distance is compared with a square");
+    ANSWERS(diameter, view.border - 2 * view.size,
+            "spheres that the cone misses by less than twice the radius are asked all the same");
+    ANSWERS(eye_distance, gap_by(in, from_eye(view), view.along),
+            "the centre's distance from the axis counts, not that from the eye");
+    ANSWERS(squared, fabs(view.border) - view.size,
+            "the distance lost its sign: a centre inside of the border counts as if it were as far "
+            "outside");
+    ANSWERS(behind_missed, view.along < 0 ? 1 : gap_of(view),
+            "a sphere whose centre is behind the eye may reach before it");
+    ANSWERS(by_tangent, in->cosine < 0 ? -gap_of(view) : gap_of(view),
+            "divided by the cosine, which may be negative: that turns the comparison round");
+    ANSWERS(unit_centre, view.border / from_eye(view) - view.size,
+            "the centre was made a unit vector: its distance is lost");
+    ANSWERS(only_behind, -view.along - view.size,
+            "only spheres whose centre is behind the eye are left out");
+    ANSWERS(unit_along, gap_by(in, view.aside, view.along / from_eye(view)),
+            "along the axis counts a distance, not the cosine of the centre's angle");
+    ANSWERS(cube, gap_by(in, view.cube, view.along),
+            "the distance beside the axis is a length, not the largest coordinate");
+    ANSWERS(without_cosine, view.aside - view.along * (double)in->sine - view.size,
+            "the cosine is missing: how far the centre is beside the axis is multiplied by it");
+    ANSWERS(cosine_size,
+            fabs((double)in->cosine) * view.aside - view.along * (double)in->sine - view.size,
+            "the cosine may be negative, and stays so: nothing is outside of the cone then");
+    ANSWERS(behind_plane, view.along < -view.size ? 1 : gap_of(view),
+            "where the cosine is -1 rays go to all sides: what is behind the eye is not missed, "
+            "either");
+    ANSWERS(by_distance, gap_by(in, view.aside, from_eye(view)),
+            "the sine goes with the part along the axis, not with the distance from the eye");
+    ANSWERS(radius_added, view.border + view.size,
+            "the radius is on the wrong side: a sphere is missed where it is farther from the "
+            "border than its radius");
+    ANSWERS(half_radius, view.border - view.size / 2,
+            "that is as if the sphere were half as large: compare with the radius");
+    ANSWERS(along_size,
+            gap_by(in, hypot(view.aside, view.along - fabs(view.along)), fabs(view.along)),
+            "the part along the axis may be negative, and stays so: behind the eye is outside of "
+            "the cone");
+    ANSWERS(both_squared,
+            pow(view.aside, 2) * (double)in->cosine - view.along * (double)in->sine -
+                view.size * view.size,
+            "squares and distances are mixed: take the length");
+    ANSWERS(from_axis_end, gap_by(in, hypot(view.along - 1, view.aside), view.along),
+            "what is beside the axis is centre - along * axis: the axis is a unit vector");
+
+#define EPSILON "the radius is compared with as it is, without an epsilon: the cone is wide enough"
+    static const double epsilons[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+    ONE_OF(added, 5, IS_FOUND(gap_of(view) - epsilons[way + 1]), EPSILON);
+    ONE_OF(share, 5, IS_FOUND(gap_of(view) - epsilons[way] * view.size), EPSILON);
+
+    ONLY(by_squares, fabs(gap_of(view)) <= error_by_squares(view),
+         "the digits are lost: subtract the vectors first, and then take the length");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 

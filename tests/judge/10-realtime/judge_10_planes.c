@@ -111,45 +111,48 @@ static int is_near(const TilePlaneJob *in, TilePlaneAnswer found, Ends expected)
     return is_end(in, found.low, expected.low) && is_end(in, found.high, expected.high);
 }
 
-// Where a ray of this direction meets the plane.
-//   is_lower   the side of the eye
-//   is_first   of all rays, or last
-typedef double Distance(const TilePlaneJob *in, double direction, int is_lower, int is_first);
-#define DISTANCE(name, expression)                                                                 \
-    static double name(const TilePlaneJob *in, double direction, int is_lower, int is_first)       \
-    {                                                                                              \
-        const double way = (double)in->plane - (double)in->eye;                                    \
-        const int meets = is_lower ? direction > 0 : direction < 0;                                \
-        (void)way, (void)meets, (void)is_first;                                                    \
-        return expression;                                                                         \
-    }
-DISTANCE(right, meets ? way / direction : INFINITY)
+// An end of the interval: whose direction it is, and whether that leads from the eye to the plane.
+typedef struct End {
+    double direction, way;
+    int meets;
+} End;
 
-static Ends high_first(const TilePlaneJob *in, Distance *distance, int is_lower)
+static int is_lower(const TilePlaneJob *in)
 {
-    return (Ends){distance(in, in->high, is_lower, 1), distance(in, in->low, is_lower, 0)};
+    return in->eye <= in->plane;
 }
 
-static Ends low_first(const TilePlaneJob *in, Distance *distance, int is_lower)
+// The first ray to meet the plane, or the last, of an eye on its lower side or on the upper one.
+static End end_of(const TilePlaneJob *in, int is_last, int of_lower)
 {
-    return (Ends){distance(in, in->low, is_lower, 1), distance(in, in->high, is_lower, 0)};
+    const double direction = of_lower != is_last ? in->high : in->low;
+    return (End){direction, (double)in->plane - (double)in->eye,
+                 of_lower ? direction > 0 : direction < 0};
 }
 
-static Ends from_side(const TilePlaneJob *in, Distance *distance, int is_lower)
+// Where a ray of this end meets the plane.
+typedef double Distance(End end);
+static double right(End end)
 {
-    return is_lower ? high_first(in, distance, 1) : low_first(in, distance, 0);
+    return end.meets ? end.way / end.direction : INFINITY;
 }
 
-#define IS_LOWER (in->eye <= in->plane)
+static Ends from_side(const TilePlaneJob *in, Distance *distance, int of_lower)
+{
+    return (Ends){distance(end_of(in, 0, of_lower)), distance(end_of(in, 1, of_lower))};
+}
 
 static Ends by(const TilePlaneJob *in, Distance *distance)
 {
-    return from_side(in, distance, IS_LOWER);
+    return from_side(in, distance, is_lower(in));
 }
 
-#define ENDS by(in, right)
+static Ends right_ends(const TilePlaneJob *in)
+{
+    return by(in, right);
+}
 
-RIGHT(is_right, IS_FOUND(ENDS))
+RIGHT(is_right, IS_FOUND(right_ends(in)))
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
@@ -159,42 +162,26 @@ static Ends sorted(Ends ends)
 }
 
 // By where a ray meets the plane.
-#define MEETS(name, expression, ...)                                                               \
-    DISTANCE(name##_distance, expression)                                                          \
-    ANSWERS(name, by(in, name##_distance), __VA_ARGS__)
-MEETS(backwards, meets ? -way / direction : INFINITY,
-      "the way goes from the eye to the plane, not back")
-MEETS(from_0, meets ? (double)in->plane / direction : INFINITY,
-      "the distance is computed without the eye")
-MEETS(upside_down, meets ? direction / way : INFINITY,
-      "the quotient is upside down: the way is divided by the direction")
-MEETS(multiplied, meets ? way *direction : INFINITY,
-      "the way is divided by the direction, not multiplied")
-MEETS(minus_infinity, meets ? way / direction : -INFINITY,
-      "what is never met is at INFINITY, not at -INFINITY")
-MEETS(never_from_0,
-      meets      ? way / direction
-      : is_first ? 0
-                 : INFINITY,
-      "where no ray meets the plane both ends are INFINITY, not the greatest distance alone")
-EACH(never_is_large,
-     (isinf(ENDS.low) ? isfinite(found.low) && found.low > 1e6f
-                      : is_end(in, found.low, ENDS.low)) &&
-         (isinf(ENDS.high) ? isfinite(found.high) && found.high > 1e6f
-                           : is_end(in, found.high, ENDS.high)),
-     "what is never met is at INFINITY, not at a large number")
-
-#define ALONG "a ray along the plane never meets it: nothing is divided by a direction of 0"
-MEETS(along_first, meets || (is_first && direction == 0) ? way / direction : INFINITY, ALONG)
-MEETS(along_last, meets || (!is_first && direction == 0) ? way / direction : INFINITY, ALONG)
-MEETS(along_both, meets || direction == 0 ? way / direction : INFINITY, ALONG)
+#define MEETS(name, distance, ...)                                                                 \
+    for (int is_last = 0; number == 0 && is_last <= 1; is_last++) {                                \
+        const End end = end_of(in, is_last, of_lower);                                             \
+        const double direction = end.direction, way = end.way;                                     \
+        const int meets = end.meets;                                                               \
+        (void)way;                                                                                 \
+        *(is_last ? &met.high : &met.low) = distance;                                              \
+    }                                                                                              \
+    ANSWERS(name, met, __VA_ARGS__)
 
 #define BEHIND_MET "rays that go away from the plane never meet it: their distance is INFINITY"
-DISTANCE(quotient, way / direction)
-DISTANCE(sizes, fabs(way) / fabs(direction))
-ANSWERS(behind_met, by(in, quotient), BEHIND_MET)
-ANSWERS(behind_sorted, sorted(by(in, quotient)), BEHIND_MET)
-ANSWERS(behind_by_sizes, sorted(by(in, sizes)), BEHIND_MET)
+static double quotient(End end)
+{
+    return end.way / end.direction;
+}
+
+static double sizes(End end)
+{
+    return fabs(end.way) / fabs(end.direction);
+}
 
 #define BEHIND_AT_0                                                                                \
     "rays that go away from the plane count as if they met it at the eye: they never do, their "   \
@@ -206,15 +193,6 @@ static Ends cut_at_0(Ends ends)
                : (Ends){fmax(0, fmin(ends.low, ends.high)), fmax(ends.low, ends.high)};
 }
 
-MEETS(behind_at_0, meets ? way / direction : 0, BEHIND_AT_0)
-ANSWERS(behind_cut_at_0, cut_at_0(by(in, quotient)), BEHIND_AT_0)
-
-#define BARE                                                                                       \
-    "each end is the quotient as it is: ask first on which side of the plane the eye is, and "     \
-    "then of each end whether its rays go to the plane; if not, it is INFINITY"
-ANSWERS(bare, high_first(in, quotient, 1), BARE)
-ANSWERS(bare_low_first, low_first(in, quotient, 1), BARE)
-
 // Below that a direction, or the way to the plane, was taken for 0 by an epsilon: what many write,
 // or what lies between two sizes of the edges above.
 #define MILLIONTH 0x1p-20
@@ -223,11 +201,10 @@ ANSWERS(bare_low_first, low_first(in, quotient, 1), BARE)
 #define GUARDED                                                                                    \
     "a small direction is not what never meets the plane: ask whether the rays of this end go to " \
     "it, by the direction's sign and without an epsilon"
-DISTANCE(guarded, fabs(direction) < MILLIONTH ? INFINITY : way / direction)
-ANSWERS(behind_guarded, by(in, guarded), GUARDED)
-ANSWERS(sorted_guarded, sorted(by(in, guarded)), GUARDED)
-ANSWERS(bare_guarded, high_first(in, guarded, 1), GUARDED)
-ANSWERS(bare_low_guarded, low_first(in, guarded, 1), GUARDED)
+static double guarded(End end)
+{
+    return fabs(end.direction) < MILLIONTH ? INFINITY : quotient(end);
+}
 
 // By an epsilon of whatever size.
 static int is_lost(double direction, float found)
@@ -235,57 +212,20 @@ static int is_lost(double direction, float found)
     return direction != 0 && fabs(direction) < 0.01 && found == INFINITY;
 }
 
-ONLY(small_is_0,
-     (is_end(in, found.low, ENDS.low) || is_lost(IS_LOWER ? in->high : in->low, found.low)) &&
-         (is_end(in, found.high, ENDS.high) || is_lost(IS_LOWER ? in->low : in->high, found.high)),
-     "no small number is 0: rays that go to the plane meet it, however slowly, without an epsilon")
-
 // By the order of the ends.
 static Ends swapped(Ends ends)
 {
     return (Ends){ends.high, ends.low};
 }
 
-ANSWERS(ends_swapped, swapped(ENDS), "the ends are swapped: the least distance is the first one")
-ANSWERS(ends_of_one_side, IS_LOWER ? ENDS : swapped(ENDS),
-        "the ends are right for an eye below the plane only: from above, the lowest direction "
-        "meets it first")
-ANSWERS(one_end, ((Ends){ENDS.low, ENDS.low}), "both ends are the least distance")
-
 // Where the eye is on the plane, or near it.
 #define EYE_ON_IT "with the eye on the plane, rays that go up meet it, at 0, and others never"
 #define EYE_BESIDE "an eye beside the plane is not on it, however near it is: without an epsilon"
-#define IS_NEARER(distance) (fabs((double)in->plane - (double)in->eye) < (distance))
 
 static Ends ends_if(const TilePlaneJob *in, int is_so, double low, double high)
 {
-    return is_so ? (Ends){low, high} : ENDS;
+    return is_so ? (Ends){low, high} : right_ends(in);
 }
-
-ANSWERS(eye_never, ends_if(in, in->eye == in->plane, INFINITY, INFINITY), EYE_ON_IT)
-ANSWERS(eye_at_0, ends_if(in, in->eye == in->plane, 0, 0), EYE_ON_IT)
-ANSWERS(eye_from_0, ends_if(in, in->eye == in->plane, 0, INFINITY), EYE_ON_IT)
-ANSWERS(eye_is_upper, from_side(in, right, in->eye < in->plane),
-        "an eye on the plane counts to the lower side: rays that go up meet it, at 0")
-ANSWERS(eye_near, from_side(in, right, IS_LOWER || IS_NEARER(MILLIONTH)), EYE_BESIDE)
-ANSWERS(eye_nearer, from_side(in, right, IS_LOWER || IS_NEARER(LEAST)), EYE_BESIDE)
-
-// Where the rays go both ways, or all the same one.
-#define GO_BOTH_WAYS (in->low < 0 && in->high > 0)
-#define IS_SLOW (fabs((double)in->low) < 0.09375)  // of the edges' parallel rays
-#define PARALLEL                                                                                   \
-    "where all rays go the same way, low and high equal, they meet the plane at one distance, or " \
-    "never: however slow they are"
-ANSWERS(both_ways_never, ends_if(in, GO_BOTH_WAYS, INFINITY, INFINITY),
-        "where rays go both ways, those that go to the plane do meet it: the least distance is "
-        "theirs")
-ANSWERS(both_ways_always, ends_if(in, GO_BOTH_WAYS, 0, INFINITY),
-        "where rays go both ways, the interval is wider than it has to be: it begins with the "
-        "first ray that meets it")
-ANSWERS(never_for_all, ends_if(in, isinf(ENDS.low) || isinf(ENDS.high), INFINITY, INFINITY),
-        "where some rays never meet it, the others do all the same: each end is asked by itself")
-ANSWERS(parallel_any, ends_if(in, in->low == in->high, 0, INFINITY), PARALLEL)
-ANSWERS(parallel_slow, ends_if(in, in->low == in->high && IS_SLOW, 0, INFINITY), PARALLEL)
 
 // For an eye below or above, one of the two ends is another: the way divided by one of the two
 // directions, if one of them is above 0 or below, or may be 0, or in any case.
@@ -299,53 +239,140 @@ static Ends with_end(const TilePlaneJob *in, int way)
                            ? ((double)in->plane - in->eye) / (by_high ? in->high : in->low)
                        : if_not_0 ? 0
                                   : INFINITY;
-    const Ends ends = ENDS;
-    return of_lower != IS_LOWER ? ends : of_high ? (Ends){ends.low, end} : (Ends){end, ends.high};
+    const Ends ends = right_ends(in);
+    return of_lower != is_lower(in) ? ends
+           : of_high                ? (Ends){ends.low, end}
+                                    : (Ends){end, ends.high};
 }
-
-// 0 divided by 0 comes out as the student's comparisons have it.
-ANY(other_end, 6 * 32,
-    IS_FOUND(with_end(in, way)) || isnan(with_end(in, way).low) || isnan(with_end(in, way).high),
-    "one of the ends is wrong, for an eye on one side of the plane: each is the way divided by its "
-    "own direction if that leads to the plane, and else INFINITY")
-ANY(other_side, 2, IS_FOUND(from_side(in, right, way ? in->eye > in->plane : in->eye >= in->plane)),
-    "the eye's side is inverted: from below the rays that go up meet the plane, from above those "
-    "that go down")
-MEETS(eye_added, meets ? ((double)in->plane + in->eye) / direction : INFINITY,
-      "the way is the plane minus the eye, not their sum")
 
 // Only the first ray was asked whether it meets the plane: the last one's distance is a quotient.
 static Ends last_unasked(const TilePlaneJob *in)
 {
-    const Ends ends = ENDS;
+    const Ends ends = right_ends(in);
     return isinf(ends.low) ? ends : (Ends){ends.low, by(in, quotient).high};
 }
 
-ANSWERS(unasked_last, last_unasked(in),
-        "only the first ray is asked whether it goes to the plane: the last one may never meet it, "
-        "and is to be asked, too")
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const int of_lower = is_lower(in), both_ways = in->low < 0 && in->high > 0,
+              is_slow = fabs((double)in->low) < 0.09375;  // of the edges' parallel rays
+    const double apart = fabs((double)in->plane - (double)in->eye);
+    const Ends ends = right_ends(in);
+    Ends met = {0};
 
-static const Known *const known[] = {
-    &backwards,        &from_0,         &upside_down,     &multiplied,
-    &minus_infinity,   &never_from_0,   &never_is_large,  &along_first,
-    &along_last,       &along_both,     &behind_met,      &behind_sorted,
-    &behind_by_sizes,  &behind_at_0,    &behind_cut_at_0, &bare,
-    &bare_low_first,   &behind_guarded, &sorted_guarded,  &bare_guarded,
-    &bare_low_guarded, &small_is_0,     &ends_swapped,    &ends_of_one_side,
-    &one_end,          &eye_never,      &eye_at_0,        &eye_from_0,
-    &eye_is_upper,     &eye_near,       &eye_nearer,      &both_ways_never,
-    &both_ways_always, &never_for_all,  &parallel_any,    &parallel_slow,
-    &unasked_last,     &other_end,      &other_side,      &eye_added};
+    MEETS(backwards, meets ? -way / direction : INFINITY,
+          "the way goes from the eye to the plane, not back");
+    MEETS(from_0, meets ? (double)in->plane / direction : INFINITY,
+          "the distance is computed without the eye");
+    MEETS(upside_down, meets ? direction / way : INFINITY,
+          "the quotient is upside down: the way is divided by the direction");
+    MEETS(multiplied, meets ? way * direction : INFINITY,
+          "the way is divided by the direction, not multiplied");
+    MEETS(minus_infinity, meets ? way / direction : -INFINITY,
+          "what is never met is at INFINITY, not at -INFINITY");
+    MEETS(never_from_0,
+          meets      ? way / direction
+          : !is_last ? 0
+                     : INFINITY,
+          "where no ray meets the plane both ends are INFINITY, not the greatest distance alone");
+    EACH(never_is_large,
+         (isinf(ends.low) ? isfinite(found.low) && found.low > 1e6f
+                          : is_end(in, found.low, ends.low)) &&
+             (isinf(ends.high) ? isfinite(found.high) && found.high > 1e6f
+                               : is_end(in, found.high, ends.high)),
+         "what is never met is at INFINITY, not at a large number");
+
+#define ALONG "a ray along the plane never meets it: nothing is divided by a direction of 0"
+    MEETS(along_first, meets || (!is_last && direction == 0) ? way / direction : INFINITY, ALONG);
+    MEETS(along_last, meets || (is_last && direction == 0) ? way / direction : INFINITY, ALONG);
+    MEETS(along_both, meets || direction == 0 ? way / direction : INFINITY, ALONG);
+
+    ANSWERS(behind_met, by(in, quotient), BEHIND_MET);
+    ANSWERS(behind_sorted, sorted(by(in, quotient)), BEHIND_MET);
+    ANSWERS(behind_by_sizes, sorted(by(in, sizes)), BEHIND_MET);
+
+    MEETS(behind_at_0, meets ? way / direction : 0, BEHIND_AT_0);
+    ANSWERS(behind_cut_at_0, cut_at_0(by(in, quotient)), BEHIND_AT_0);
+
+#define BARE                                                                                       \
+    "each end is the quotient as it is: ask first on which side of the plane the eye is, and "     \
+    "then of each end whether its rays go to the plane; if not, it is INFINITY"
+    ANSWERS(bare, from_side(in, quotient, 1), BARE);
+    ANSWERS(bare_low_first, swapped(from_side(in, quotient, 1)), BARE);
+
+    ANSWERS(behind_guarded, by(in, guarded), GUARDED);
+    ANSWERS(sorted_guarded, sorted(by(in, guarded)), GUARDED);
+    ANSWERS(bare_guarded, from_side(in, guarded, 1), GUARDED);
+    ANSWERS(bare_low_guarded, swapped(from_side(in, guarded, 1)), GUARDED);
+
+    ONLY(small_is_0,
+         (is_end(in, found.low, ends.low) || is_lost(of_lower ? in->high : in->low, found.low)) &&
+             (is_end(in, found.high, ends.high) ||
+              is_lost(of_lower ? in->low : in->high, found.high)),
+         "no small number is 0: rays that go to the plane meet it, however slowly, without an "
+         "epsilon");
+
+    ANSWERS(ends_swapped, swapped(ends),
+            "the ends are swapped: the least distance is the first one");
+    ANSWERS(ends_of_one_side, of_lower ? ends : swapped(ends),
+            "the ends are right for an eye below the plane only: from above, the lowest direction "
+            "meets it first");
+    ANSWERS(one_end, ((Ends){ends.low, ends.low}), "both ends are the least distance");
+
+    ANSWERS(eye_never, ends_if(in, in->eye == in->plane, INFINITY, INFINITY), EYE_ON_IT);
+    ANSWERS(eye_at_0, ends_if(in, in->eye == in->plane, 0, 0), EYE_ON_IT);
+    ANSWERS(eye_from_0, ends_if(in, in->eye == in->plane, 0, INFINITY), EYE_ON_IT);
+    ANSWERS(eye_is_upper, from_side(in, right, in->eye < in->plane),
+            "an eye on the plane counts to the lower side: rays that go up meet it, at 0");
+    ANSWERS(eye_near, from_side(in, right, of_lower || apart < MILLIONTH), EYE_BESIDE);
+    ANSWERS(eye_nearer, from_side(in, right, of_lower || apart < LEAST), EYE_BESIDE);
+
+    // Where the rays go both ways, or all the same one.
+#define PARALLEL                                                                                   \
+    "where all rays go the same way, low and high equal, they meet the plane at one distance, or " \
+    "never: however slow they are"
+    ANSWERS(both_ways_never, ends_if(in, both_ways, INFINITY, INFINITY),
+            "where rays go both ways, those that go to the plane do meet it: the least distance is "
+            "theirs");
+    ANSWERS(both_ways_always, ends_if(in, both_ways, 0, INFINITY),
+            "where rays go both ways, the interval is wider than it has to be: it begins with the "
+            "first ray that meets it");
+    ANSWERS(
+        never_for_all, ends_if(in, isinf(ends.low) || isinf(ends.high), INFINITY, INFINITY),
+        "where some rays never meet it, the others do all the same: each end is asked by itself");
+    ANSWERS(parallel_any, ends_if(in, in->low == in->high, 0, INFINITY), PARALLEL);
+    ANSWERS(parallel_slow, ends_if(in, in->low == in->high && is_slow, 0, INFINITY), PARALLEL);
+
+    // 0 divided by 0 comes out as the student's comparisons have it.
+    ANY(other_end, 6 * 32,
+        IS_FOUND(with_end(in, way)) || isnan(with_end(in, way).low) ||
+            isnan(with_end(in, way).high),
+        "one of the ends is wrong, for an eye on one side of the plane: each is the way divided by "
+        "its own direction if that leads to the plane, and else INFINITY");
+    ANY(other_side, 2,
+        IS_FOUND(from_side(in, right, way ? in->eye > in->plane : in->eye >= in->plane)),
+        "the eye's side is inverted: from below the rays that go up meet the plane, from above "
+        "those that go down");
+    MEETS(eye_added, meets ? ((double)in->plane + in->eye) / direction : INFINITY,
+          "the way is the plane minus the eye, not their sum");
+
+    ANSWERS(unasked_last, last_unasked(in),
+            "only the first ray is asked whether it goes to the plane: the last one may never meet "
+            "it, and is to be asked, too");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
+    const Ends expected = right_ends(in);
     return message_new("plane at %.9g, eye at %.9g, directions from %.9g to %.9g: found [%.9g, "
                        "%.9g], expected [%.9g, %.9g]",
-                       in->plane, in->eye, in->low, in->high, found.low, found.high, ENDS.low,
-                       ENDS.high);
+                       in->plane, in->eye, in->low, in->high, found.low, found.high, expected.low,
+                       expected.high);
 }
 
 const Function tile_plane_10 = {"tile_planes", N_TILE_PLANES, sizeof(TilePlaneAnswer),

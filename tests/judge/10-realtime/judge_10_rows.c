@@ -152,43 +152,51 @@ static Pixel pixel_if(const CircleRowJob *in, int i, int is_covered)
                    is_covered ? 0 : in->open[i]};
 }
 
-#define DX ((double)in->dx_squared[i])
-#define DY ((double)in->dy)
-#define R ((double)in->radius_squared)
-#define IS_COVERED (DX + DY * DY <= R)
+static int is_within(const CircleRowJob *in, int i, double limit)
+{
+    return in->dx_squared[i] + (double)in->dy * in->dy <= limit;
+}
 
 static Pixel right(const CircleRowJob *in, int i)
 {
-    return pixel_if(in, i, IS_COVERED);
+    return pixel_if(in, i, is_within(in, i, in->radius_squared));
+}
+
+static int is_pixel(const CircleRowAnswer *found, int i, Pixel expected)
+{
+    return found->colors[i] == expected.color && found->open[i] == expected.open;
 }
 
 // The first pixel of a row that is another one, or ROW_PIXELS.
-typedef Pixel PixelOf(const CircleRowJob *in, int i);
-static int first_other(const CircleRowJob *in, const CircleRowAnswer *found, PixelOf *expected)
+static int first_wrong(const CircleRowJob *in, const CircleRowAnswer *found)
 {
     int i = 0;
-    while (i < ROW_PIXELS && found->colors[i] == expected(in, i).color &&
-           found->open[i] == expected(in, i).open) {
+    while (i < ROW_PIXELS && is_pixel(found, i, right(in, i))) {
         i++;
     }
     return i;
 }
 
-#define IS_FOUND(pixel) (first_other(in, found, pixel) == ROW_PIXELS)
-
-RIGHT(is_right, IS_FOUND(right))
+RIGHT(is_right, first_wrong(in, found) == ROW_PIXELS)
 
 // ---- Mistakes -----------------------------------------------------------------------------------
 
+// Pixel number k has the colour `color` before, `open` says whether it is open, and `expected` is
+// what comes of it.
 #define PIXELS(name, pixel, ...)                                                                   \
-    static Pixel name##_pixel(const CircleRowJob *in, int i)                                       \
-    {                                                                                              \
-        return pixel;                                                                              \
+    for (int k = 0; number == 0 && is_row && k < ROW_PIXELS; k++) {                                \
+        const double dx2 = in->dx_squared[k];                                                      \
+        const int is_covered = is_within(in, k, r2);                                               \
+        const u32 color = in->colors[k];                                                           \
+        const i32 open = in->open[k];                                                              \
+        const Pixel expected = right(in, k);                                                       \
+        (void)dx2, (void)is_covered, (void)color, (void)open, (void)expected;                      \
+        is_row = is_pixel(found, k, pixel);                                                        \
     }                                                                                              \
-    ANSWERS(name, name##_pixel, __VA_ARGS__)
+    EACH(name, is_row, __VA_ARGS__)
 
 // By what is covered.
-#define COVERS(name, is_covered, ...) PIXELS(name, pixel_if(in, i, is_covered), __VA_ARGS__)
+#define COVERS(name, covers, ...) PIXELS(name, pixel_if(in, k, covers), __VA_ARGS__)
 #define DY_NOT_SQUARED                                                                             \
     "that is as if dy were added as it is: dx_squared is squared already, dy is not"
 
@@ -196,7 +204,7 @@ static int n_covered(const CircleRowJob *in)
 {
     int n = 0;
     for (int i = 0; i < ROW_PIXELS; i++) {
-        n += IS_COVERED;
+        n += is_within(in, i, in->radius_squared);
     }
     return n;
 }
@@ -210,68 +218,19 @@ static int n_open(const CircleRowJob *in)
     return n;
 }
 
-COVERS(strict, DX + DY * DY < R,
-       "strict where it should not be: the boundary belongs to the circle", MISTAKE_STRICT_BOUNDARY)
-COVERS(without_dy, DX <= R, "that is as if dy were 0: the distance has two parts")
-COVERS(dy_itself, DX + DY <= R, DY_NOT_SQUARED)
-COVERS(dy_size, DX + fabs(DY) <= R, DY_NOT_SQUARED)
-COVERS(whole_dy, DX + trunc(DY) * trunc(DY) <= R, "dy was cut to a whole number")
-COVERS(radius_again, DX + DY * DY <= R * R,
-       "that is as if the radius were squared twice: radius_squared is its square already, and "
-       "compared with a square, not with a distance")
-COVERS(dx_again, (DX * DX + DY * DY <= R), "dx is squared twice: dx_squared is its square already")
-COVERS(subtracted, DX - DY * DY <= R, "the square of dy is taken off: the squares add up")
-COVERS(inverted, !IS_COVERED,
-       "what the circle does not cover is painted, and what it covers is not")
-COVERS(all_or_none, n_covered(in) > 0,
-       "that is as if one pixel decided for the whole row: each lane has an answer of its own")
-COVERS(without_first, IS_COVERED && 0 < i, "the row's first pixel is left out")
-COVERS(without_last, i < ROW_PIXELS - 1 && IS_COVERED, "the row's last pixel is left out")
-COVERS(point_left, IS_COVERED &&R > 0,
-       "a circle of radius 0 is left out: it covers the pixel that it is exactly on")
-COVERS(part_left, n_open(in) == ROW_PIXELS && IS_COVERED,
-       "a row that is painted in part has open pixels, too")
-
-// By what is painted.
-#define PAINTED_IF(is_painted) ((is_painted) ? in->color : in->colors[i])
-PIXELS(painted_over, ((Pixel){PAINTED_IF(IS_COVERED), right(in, i).open}),
-       "a pixel that a nearer circle covers was painted again: only what is open may be")
-PIXELS(black_is_open, ((Pixel){PAINTED_IF(IS_COVERED && in->colors[i] == 0), right(in, i).open}),
-       "that is as if a colour of 0 said that a pixel is open: a circle may be black")
-PIXELS(nothing_painted, ((Pixel){in->colors[i], right(in, i).open}),
-       "what is covered is closed, and was not painted before")
-PIXELS(select_swapped, ((Pixel){PAINTED_IF(!(IS_COVERED && in->open[i])), right(in, i).open}),
-       "select(a, b, c) takes b where c is -1: the old colours and the circle's stand in each "
-       "other's place")
-PIXELS(erases, ((Pixel){IS_COVERED && in->open[i] ? in->color : 0, right(in, i).open}),
-       "what the circle does not cover lost its colour: it stays as it was")
-
 // By what stays open.
 #define OPENS_AGAIN "what was closed already is open again: a pixel never opens"
-#define STAYS(name, is_open, ...) PIXELS(name, ((Pixel){right(in, i).color, is_open}), __VA_ARGS__)
-STAYS(stays_open, in->open[i],
-      "a pixel that is painted stays open: the next circle would paint it again")
-STAYS(touched_stays, R != DY * DY && IS_COVERED ? 0 : in->open[i],
-      "where the circle only touches the row, as far away as its radius, the pixel that it covers "
-      "is closed, too")
-STAYS(closed_outside, IS_COVERED ? in->open[i] : 0,
-      "the wrong pixels stay open: what the circle covers is closed, what it does not cover stays "
-      "as it was")
-STAYS(closed_whole, n_covered(in) > 0 ? 0 : in->open[i],
-      "the whole row is closed: pixels that the circle does not cover stay as they were")
-STAYS(covered_alone, IS_COVERED ? 0 : -1, OPENS_AGAIN)
-STAYS(turned_round, IS_COVERED ? ~in->open[i] : in->open[i], OPENS_AGAIN)
+#define STAYS(name, is_open, ...) PIXELS(name, ((Pixel){expected.color, is_open}), __VA_ARGS__)
 
 // Each pixel is right, or is covered by so much too little.
 static int is_covered_within(const CircleRowJob *in, const CircleRowAnswer *found, double limit)
 {
-    int i = 0, is_so = 1;
-    for (; i < ROW_PIXELS && is_so; i++) {
-        const Pixel pixels[2] = {right(in, i), pixel_if(in, i, DX + DY * DY <= limit)};
-        is_so = (found->colors[i] == pixels[0].color && found->open[i] == pixels[0].open) ||
-                (found->colors[i] == pixels[1].color && found->open[i] == pixels[1].open);
+    int i = 0;
+    while (i < ROW_PIXELS && (is_pixel(found, i, right(in, i)) ||
+                              is_pixel(found, i, pixel_if(in, i, is_within(in, i, limit))))) {
+        i++;
     }
-    return is_so;
+    return i == ROW_PIXELS;
 }
 
 // Each pixel is right, but for numbers that are no mask.
@@ -285,33 +244,83 @@ static int is_right_without_mask(const CircleRowJob *in, const CircleRowAnswer *
     return i == ROW_PIXELS;
 }
 
-EACH(no_mask, is_right_without_mask(in, found),
-     "an `open` is neither -1 nor 0: for lanes these are true and false")
-
 // How far apart two squares may be, as a part of them, whose roots are the same to a device: each
 // root may be off by 3 units in its last place (OpenCL), and by as much again in the other one.
 #define ROOTS_HAIR (12 * (double)FLT_EPSILON)
-EACH(roots, is_covered_within(in, found, R * (1 + ROOTS_HAIR)),
-     "compare the squares, and without an epsilon: roots round a pixel beside the circle onto its "
-     "boundary")
 // As much as somebody may add to the square of a radius.
 #define LARGEST_EPSILON 0.01
-ONLY(epsilon, is_covered_within(in, found, R + LARGEST_EPSILON),
-     "only pixels a little outside of the circle are wrong: compare without an epsilon")
 
-static const Known *const known[] = {
-    &strict,       &without_dy, &dy_itself,     &dy_size,        &whole_dy,        &radius_again,
-    &dx_again,     &subtracted, &inverted,      &all_or_none,    &without_first,   &without_last,
-    &point_left,   &part_left,  &painted_over,  &black_is_open,  &nothing_painted, &select_swapped,
-    &erases,       &stays_open, &touched_stays, &closed_outside, &closed_whole,    &covered_alone,
-    &turned_round, &no_mask,    &roots,         &epsilon};
+KNOWN_LIST(known)
+{
+    GIVEN;
+    const double dy = in->dy, r2 = in->radius_squared;
+    int is_row = 1;
+
+    COVERS(strict, dx2 + dy * dy < r2,
+           "strict where it should not be: the boundary belongs to the circle",
+           MISTAKE_STRICT_BOUNDARY);
+    COVERS(without_dy, dx2 <= r2, "that is as if dy were 0: the distance has two parts");
+    COVERS(dy_itself, dx2 + dy <= r2, DY_NOT_SQUARED);
+    COVERS(dy_size, dx2 + fabs(dy) <= r2, DY_NOT_SQUARED);
+    COVERS(whole_dy, dx2 + trunc(dy) * trunc(dy) <= r2, "dy was cut to a whole number");
+    COVERS(radius_again, dx2 + dy * dy <= r2 * r2,
+           "that is as if the radius were squared twice: radius_squared is its square already, and "
+           "compared with a square, not with a distance");
+    COVERS(dx_again, (dx2 * dx2 + dy * dy <= r2),
+           "dx is squared twice: dx_squared is its square already");
+    COVERS(subtracted, dx2 - dy * dy <= r2, "the square of dy is taken off: the squares add up");
+    COVERS(inverted, !is_covered,
+           "what the circle does not cover is painted, and what it covers is not");
+    COVERS(all_or_none, n_covered(in) > 0,
+           "that is as if one pixel decided for the whole row: each lane has an answer of its own");
+    COVERS(without_first, is_covered && 0 < k, "the row's first pixel is left out");
+    COVERS(without_last, k < ROW_PIXELS - 1 && is_covered, "the row's last pixel is left out");
+    COVERS(point_left, is_covered && r2 > 0,
+           "a circle of radius 0 is left out: it covers the pixel that it is exactly on");
+    COVERS(part_left, n_open(in) == ROW_PIXELS && is_covered,
+           "a row that is painted in part has open pixels, too");
+
+    // By what is painted.
+    PIXELS(painted_over, ((Pixel){is_covered ? in->color : color, expected.open}),
+           "a pixel that a nearer circle covers was painted again: only what is open may be");
+    PIXELS(black_is_open, ((Pixel){(is_covered && color == 0) ? in->color : color, expected.open}),
+           "that is as if a colour of 0 said that a pixel is open: a circle may be black");
+    PIXELS(nothing_painted, ((Pixel){color, expected.open}),
+           "what is covered is closed, and was not painted before");
+    PIXELS(select_swapped, ((Pixel){(!(is_covered && open)) ? in->color : color, expected.open}),
+           "select(a, b, c) takes b where c is -1: the old colours and the circle's stand in each "
+           "other's place");
+    PIXELS(erases, ((Pixel){is_covered && open ? in->color : 0, expected.open}),
+           "what the circle does not cover lost its colour: it stays as it was");
+    STAYS(stays_open, open,
+          "a pixel that is painted stays open: the next circle would paint it again");
+    STAYS(touched_stays, r2 != dy * dy && is_covered ? 0 : open,
+          "where the circle only touches the row, as far away as its radius, the pixel that it "
+          "covers is closed, too");
+    STAYS(closed_outside, is_covered ? open : 0,
+          "the wrong pixels stay open: what the circle covers is closed, what it does not cover "
+          "stays as it was");
+    STAYS(closed_whole, n_covered(in) > 0 ? 0 : open,
+          "the whole row is closed: pixels that the circle does not cover stay as they were");
+    STAYS(covered_alone, is_covered ? 0 : -1, OPENS_AGAIN);
+    STAYS(turned_round, is_covered ? ~open : open, OPENS_AGAIN);
+
+    EACH(no_mask, is_right_without_mask(in, found),
+         "an `open` is neither -1 nor 0: for lanes these are true and false");
+    EACH(roots, is_covered_within(in, found, r2 * (1 + ROOTS_HAIR)),
+         "compare the squares, and without an epsilon: roots round a pixel beside the circle onto "
+         "its boundary");
+    ONLY(epsilon, is_covered_within(in, found, r2 + LARGEST_EPSILON),
+         "only pixels a little outside of the circle are wrong: compare without an epsilon");
+    return NO_MORE;
+}
 
 // ---- Answers ------------------------------------------------------------------------------------
 
 static char *describe(const void *job, int i, const void *answers)
 {
     GIVEN;
-    const int at = first_other(in, found, right);
+    const int at = first_wrong(in, found);
     const Pixel expected = right(in, at);
     return message_new("pixel %d of a row, dx_squared %.9g, dy %.9g, radius_squared %.9g, open %d: "
                        "found %s, open %d, expected %s, open %d (before: %s; the circle: %s)",

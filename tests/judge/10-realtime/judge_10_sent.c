@@ -5,11 +5,6 @@
 
 #include <math.h>
 
-static Vec3 rounded(OracleVector v)
-{
-    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
-}
-
 // ---- Tiles of rays ------------------------------------------------------------------------------
 
 // Any tile of a scene: its rays, and between which directions they are.
@@ -82,7 +77,8 @@ static void keep_cone(Random *random, const JobScene3D *scene, const SentTile *t
     const double along = vector_dot(centre, axis), size = fabs((double)sphere.radius);
     const double aside = vector_length(vector_minus(centre, vector_scaled(along, axis)));
     const double gap = aside * cosine - along * sine - size;
-    const ConeJob job = {rounded(axis), (float)cosine, (float)sine, rounded(centre), sphere.radius};
+    const ConeJob job = {vector_rounded(axis), (float)cosine, (float)sine, vector_rounded(centre),
+                         sphere.radius};
     sent_keep(&cones[along <= 0 || sine == 0 ? CONES_EDGES
                      : fabs(gap) > size / 8  ? CONES_CLEAR
                                              : CONES_HAIR],

@@ -177,39 +177,10 @@ static float all_or_none(int is_all)
     return is_all ? INFINITY : -INFINITY;
 }
 
-ANSWERS(takes_top, begun_by(in, INFINITY),
-        "the search goes on into nodes that begin behind the farthest hit: they are left out, each "
-        "of them")
-ANSWERS(any_hit, begun_by(in, all_or_none(isinf(in->farthest))),
-        "that is as if the search ended as soon as every ray has a hit: what begins before the "
-        "farthest may hold a nearer one")
-ANSWERS(inverted, search(in, begins_behind, in->farthest, TODO_SIZE),
-        "the comparison with the farthest hit is inverted")
-ANSWERS(not_at_same, begun_by(in, nextafterf(in->farthest, 0)),
-        "a node that begins exactly at the farthest hit must not be left out: a sphere with a "
-        "lower index may be just as far away")
-ANSWERS(by_t_max, search(in, ends_before, in->farthest, TODO_SIZE),
-        "a node can matter where it begins before the farthest hit, wherever it ends: its t_min "
-        "counts")
-// Of an epsilon whose size is not known: nodes of the search itself may begin that near, or not.
-EACH(epsilon, IS_FOUND(waiting(in)) || IS_FOUND(begun_by(in, in->farthest + LEAST_STEP)),
-     "a node that begins behind the farthest hit is left out, however little behind: without an "
-     "epsilon")
-ANSWERS(too_early, begun_by(in, in->farthest - LEAST_STEP),
-        "a node that begins before the farthest hit is visited, however little before: without an "
-        "epsilon")
-ANSWERS(by_leaf, begun_by(in, all_or_none(in->at.t_min <= in->farthest)),
-        "where the waiting node begins counts, not where the leaf did")
-ANSWERS(point_left, search(in, is_longer, in->farthest, TODO_SIZE),
-        "a node whose part is a point, t_min and t_max equal, is visited, too: a hit may be "
-        "exactly there")
-
 // By how many are left out.
 #define TOP_ENDS                                                                                   \
     "the node on top begins behind every hit, but the one below it need not: parts of many rays "  \
     "overlap"
-#define FEW_LEFT_OUT                                                                               \
-    "the search ended after some nodes that are left out: however many they are, it goes on"
 
 static NextWaitingAnswer tried(const TileWaitingJob *in, u32 most)
 {
@@ -220,16 +191,6 @@ static NextWaitingAnswer second_taken(const TileWaitingJob *in)
 {
     return n_waiting(in) > 1 && !tried(in, 1).goes_on ? taken(in, 2) : waiting(in);
 }
-
-ANSWERS(top_ends, tried(in, 1), TOP_ENDS)
-ANSWERS(top_ends_at_same, search(in, begins_before, nextafterf(in->farthest, 0), 1), TOP_ENDS)
-ANSWERS(two_only, second_taken(in), "more than one node in a row may be left out")
-ANSWERS(tried_2, tried(in, 2), FEW_LEFT_OUT)
-ANSWERS(tried_3, tried(in, 3), FEW_LEFT_OUT)
-ANSWERS(tried_4, tried(in, 4), FEW_LEFT_OUT)
-ANSWERS(tried_8, tried(in, 8), FEW_LEFT_OUT)
-ANSWERS(tried_10, tried(in, 10), FEW_LEFT_OUT)
-ANSWERS(tried_16, tried(in, 16), FEW_LEFT_OUT)
 
 // By where the search ends.
 #define LAB_07                                                                                     \
@@ -247,38 +208,10 @@ static NextWaitingAnswer ended_if(const TileWaitingJob *in, int is_end, NextWait
     return is_end ? ended(in) : answer;
 }
 
-// Which node such an answer hands on is not defined.
-EACH(swapped, (found->goes_on != 0) != waiting(in).goes_on, "1 and 0 are swapped: 0 is the end")
-ANSWERS(one_left, ended_if(in, waiting(in).todo.n == 0, waiting(in)),
-        "the search ended while one node was still waiting")
-ANSWERS(leaf_ends, ended_if(in, in->farthest < in->at.t_max, waiting(in)), LAB_07)
-ANSWERS(leaf_ends_at_same, ended_if(in, in->farthest <= in->at.t_max, waiting(in)), LAB_07)
-ANSWERS(lab_07, ended_if(in, in->farthest < in->at.t_max, begun_by(in, INFINITY)), LAB_07)
-ANSWERS(lab_07_at_same, ended_if(in, in->farthest <= in->at.t_max, begun_by(in, INFINITY)), LAB_07)
-ANSWERS(no_hit_ends, ended_if(in, isinf(in->farthest), waiting(in)),
-        "that is as if the search ended while a ray has no hit yet: INFINITY is farther than all "
-        "that waits")
-ANSWERS(none_goes_on, with_end(waiting(in), waiting(in).goes_on || isinf(in->farthest)),
-        "where nothing waits the search is over, whether each ray has a hit or not")
-
-// By what is handed on.
-static NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
-{
-    answer.at.t_min = t_min;
-    answer.at.t_max = t_max;
-    return answer;
-}
-
 static NextWaitingAnswer with_leaf(const TileWaitingJob *in)
 {
     NextWaitingAnswer answer = waiting(in);
     answer.at = in->at;
-    return answer;
-}
-
-static NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
-{
-    answer.todo.n++;
     return answer;
 }
 
@@ -291,27 +224,79 @@ static int is_oldest(const TileWaitingJob *in, TodoEntry found)
     return i < n_waiting(in) && same_entry(found, entry_at(in, i));
 }
 
-ANSWERS(part_kept, with_part(waiting(in), in->at.t_min, in->at.t_max),
-        "that is as if t_min and t_max were not taken from the stack with the node")
-ANSWERS(t_max_kept, with_part(waiting(in), waiting(in).at.t_min, in->at.t_max),
-        "that is as if t_max were not taken from the stack with the node")
-ANSWERS(t_min_kept, with_part(waiting(in), in->at.t_min, waiting(in).at.t_max),
-        "that is as if t_min were not taken from the stack with the node")
-ANSWERS(ends_at_hit, with_part(waiting(in), waiting(in).at.t_min, in->farthest),
-        "the part of the node ends at the farthest hit, also where it ended before: a part never "
-        "grows")
-ANSWERS(at_kept, with_leaf(in), "*at is still the leaf: the node from the stack is not handed on")
-ANSWERS(stays, with_one_more(waiting(in)), "the node is not taken off the stack: it waits still")
-ONLY(oldest, found->goes_on &&is_oldest(in, found->at),
-     "that is as if the node that waits longest came from the stack first")
+KNOWN_LIST(known)
+{
+    GIVEN;
 
-static const Known *const known[] = {
-    &top_ends, &takes_top,      &any_hit,          &inverted,   &not_at_same,  &by_t_max,
-    &swapped,  &part_kept,      &t_max_kept,       &t_min_kept, &oldest,       &stays,
-    &one_left, &two_only,       &leaf_ends,        &epsilon,    &no_hit_ends,  &too_early,
-    &by_leaf,  &ends_at_hit,    &tried_2,          &tried_3,    &tried_4,      &tried_8,
-    &tried_10, &tried_16,       &point_left,       &at_kept,    &none_goes_on, &top_ends_at_same,
-    &lab_07,   &lab_07_at_same, &leaf_ends_at_same};
+    ANSWERS(takes_top, begun_by(in, INFINITY),
+            "the search goes on into nodes that begin behind the farthest hit: they are left out, "
+            "each of them");
+    ANSWERS(any_hit, begun_by(in, all_or_none(isinf(in->farthest))),
+            "that is as if the search ended as soon as every ray has a hit: what begins before the "
+            "farthest may hold a nearer one");
+    ANSWERS(inverted, search(in, begins_behind, in->farthest, TODO_SIZE),
+            "the comparison with the farthest hit is inverted");
+    ANSWERS(not_at_same, begun_by(in, nextafterf(in->farthest, 0)),
+            "a node that begins exactly at the farthest hit must not be left out: a sphere with a "
+            "lower index may be just as far away");
+    ANSWERS(by_t_max, search(in, ends_before, in->farthest, TODO_SIZE),
+            "a node can matter where it begins before the farthest hit, wherever it ends: its "
+            "t_min counts");
+    // Of an epsilon whose size is not known: nodes of the search itself may begin that near, or
+    // not.
+    EACH(epsilon, IS_FOUND(waiting(in)) || IS_FOUND(begun_by(in, in->farthest + LEAST_STEP)),
+         "a node that begins behind the farthest hit is left out, however little behind: without "
+         "an epsilon");
+    ANSWERS(too_early, begun_by(in, in->farthest - LEAST_STEP),
+            "a node that begins before the farthest hit is visited, however little before: without "
+            "an epsilon");
+    ANSWERS(by_leaf, begun_by(in, all_or_none(in->at.t_min <= in->farthest)),
+            "where the waiting node begins counts, not where the leaf did");
+    ANSWERS(point_left, search(in, is_longer, in->farthest, TODO_SIZE),
+            "a node whose part is a point, t_min and t_max equal, is visited, too: a hit may be "
+            "exactly there");
+
+    ANSWERS(top_ends, tried(in, 1), TOP_ENDS);
+    ANSWERS(top_ends_at_same, search(in, begins_before, nextafterf(in->farthest, 0), 1), TOP_ENDS);
+    ANSWERS(two_only, second_taken(in), "more than one node in a row may be left out");
+    static const u32 few[] = {2, 3, 4, 8, 10, 16};
+    ONE_OF(
+        few_left_out, 6, IS_FOUND(tried(in, few[way])),
+        "the search ended after some nodes that are left out: however many they are, it goes on");
+
+    // Which node such an answer hands on is not defined.
+    EACH(swapped, (found->goes_on != 0) != waiting(in).goes_on,
+         "1 and 0 are swapped: 0 is the end");
+    ANSWERS(one_left, ended_if(in, waiting(in).todo.n == 0, waiting(in)),
+            "the search ended while one node was still waiting");
+    ANSWERS(leaf_ends, ended_if(in, in->farthest < in->at.t_max, waiting(in)), LAB_07);
+    ANSWERS(leaf_ends_at_same, ended_if(in, in->farthest <= in->at.t_max, waiting(in)), LAB_07);
+    ANSWERS(lab_07, ended_if(in, in->farthest < in->at.t_max, begun_by(in, INFINITY)), LAB_07);
+    ANSWERS(lab_07_at_same, ended_if(in, in->farthest <= in->at.t_max, begun_by(in, INFINITY)),
+            LAB_07);
+    ANSWERS(no_hit_ends, ended_if(in, isinf(in->farthest), waiting(in)),
+            "that is as if the search ended while a ray has no hit yet: INFINITY is farther than "
+            "all that waits");
+    ANSWERS(none_goes_on, with_end(waiting(in), waiting(in).goes_on || isinf(in->farthest)),
+            "where nothing waits the search is over, whether each ray has a hit or not");
+
+    ANSWERS(part_kept, with_part(waiting(in), in->at.t_min, in->at.t_max),
+            "that is as if t_min and t_max were not taken from the stack with the node");
+    ANSWERS(t_max_kept, with_part(waiting(in), waiting(in).at.t_min, in->at.t_max),
+            "that is as if t_max were not taken from the stack with the node");
+    ANSWERS(t_min_kept, with_part(waiting(in), in->at.t_min, waiting(in).at.t_max),
+            "that is as if t_min were not taken from the stack with the node");
+    ANSWERS(ends_at_hit, with_part(waiting(in), waiting(in).at.t_min, in->farthest),
+            "the part of the node ends at the farthest hit, also where it ended before: a part "
+            "never grows");
+    ANSWERS(at_kept, with_leaf(in),
+            "*at is still the leaf: the node from the stack is not handed on");
+    ANSWERS(stays, with_one_more(waiting(in)),
+            "the node is not taken off the stack: it waits still");
+    ONLY(oldest, found->goes_on && is_oldest(in, found->at),
+         "that is as if the node that waits longest came from the stack first");
+    return NO_MORE;
+}
 
 // ---- Answers ----------------------------------------------------------------------------------
 

@@ -16,6 +16,11 @@ static inline OracleVector vector_of(Vec3 v)
 }
 
 // Axis 0 is x, 1 is y, 2 is z.
+static inline Vec3 vector_rounded(OracleVector v)
+{
+    return (Vec3){(float)v.x, (float)v.y, (float)v.z};
+}
+
 static inline double vector_component(OracleVector v, u32 axis)
 {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;

@@ -33,28 +33,49 @@ static int is_same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
+// A known mistake of a function: a number in one of its lists.
+typedef struct Place {
+    int list, number;
+} Place;
+
+// What is known of it. The next one where that is behind the end of a list; name is NULL behind the
+// last list. Which input it is asked about makes no difference to its cause.
+static Known known_at(const Function *function, Place *place, const void *job, Range range,
+                      const void *answers)
+{
+    Known known = {.name = NULL};
+    while (known.name == NULL && place->list < MOST_KNOWN_LISTS &&
+           function->known[place->list] != NULL) {
+        known = function->known[place->list](job, range.first, answers, place->number, 0);
+        if (known.name == NULL) {
+            *place = (Place){place->list + 1, 0};
+        }
+    }
+    return known;
+}
+
 // Does a way of a known mistake explain every answer of the range?
-static int is_known_way(const Function *function, const Known *known, int way, const void *job,
+static int is_known_way(const Function *function, Place place, int way, const void *job,
                         Range range, const void *answers)
 {
-    int i = 0;
-    while (i < range.n &&
-           (known->fits(job, range_at(range, i), answers, way) ||
-            (known->is_only && function->is_right(job, range_at(range, i), answers)))) {
-        i++;
+    int i = 0, fits = 1;
+    for (; fits && i < range.n; i++) {
+        const int at = range_at(range, i);
+        const Known known = function->known[place.list](job, at, answers, place.number, way);
+        fits = known.fits || (known.form == KNOWN_OF_WRONG && function->is_right(job, at, answers));
     }
-    return i == range.n;
+    return fits;
 }
 
 // Does a known mistake?
-static int is_known(const Function *function, const Known *known, const void *job, Range range,
+static int is_known(const Function *function, Place place, int n_ways, const void *job, Range range,
                     const void *answers)
 {
     int way = 0;
-    while (way < known->n_ways && !is_known_way(function, known, way, job, range, answers)) {
+    while (way < n_ways && !is_known_way(function, place, way, job, range, answers)) {
         way++;
     }
-    return way < known->n_ways;
+    return way < n_ways;
 }
 
 // Are all answers the same, as where nothing was filled in?
@@ -70,19 +91,22 @@ static int is_constant(const Function *function, Range range, const char *answer
     return i == range.n;
 }
 
-// Does a mistake that says what an answer is (ANSWERS, EACH; of a family, ANY) explain every answer
-// of a range? *cause becomes the one that does. Returns how many do, with different sentences: 0, 1
-// or 2.
+// Does a mistake that says what an answer is (ANSWERS, EACH, ONE_OF; of a family, ANY) explain
+// every answer of a range? *cause becomes the one that does. Returns how many do, with different
+// sentences: 0, 1 or 2.
 static int count_answers(const Function *function, const void *job, Range range,
                          const void *answers, int is_family, Cause *cause)
 {
     int n = 0;
-    for (int k = 0; n < 2 && k < function->n_known; k++) {
-        const Known *known = function->known[k];
-        if (!known->is_only && (known->n_ways > 1) == is_family &&
-            is_known(function, known, job, range, answers) &&
-            (n == 0 || !is_same_text(cause->says, known->cause.says))) {
-            *cause = known->cause;
+    for (Place place = {0}; n < 2; place.number++) {
+        const Known known = known_at(function, &place, job, range, answers);
+        if (known.name == NULL) {
+            break;
+        }
+        if (known.form == (is_family ? KNOWN_FAMILY : KNOWN_ANSWERS) &&
+            is_known(function, place, known.n_ways, job, range, answers) &&
+            (n == 0 || !is_same_text(cause->says, known.cause.says))) {
+            *cause = known.cause;
             n++;
         }
     }
@@ -104,17 +128,17 @@ static Cause name_known(const Function *function, const void *job, Range range, 
             return is_one ? cause : (Cause){0};
         }
     }
-    for (int k = 0; k < function->n_known; k++) {
-        const Known *known = function->known[k];
-        if (known->is_only && is_known(function, known, job, range, answers)) {
-            return known->cause;
+    for (Place place = {0};; place.number++) {
+        const Known known = known_at(function, &place, job, range, answers);
+        if (known.name == NULL ||
+            (known.form == KNOWN_OF_WRONG && is_known(function, place, 1, job, range, answers))) {
+            return known.cause;
         }
     }
-    return cause;
 }
 
 // The cause. From answers that are all the same nothing is concluded, but where the list knows such
-// a mistake.
+// a place.
 static Cause explain(const Function *function, const void *job, Range range, const void *answers)
 {
     if (!function->is_known_by_range) {

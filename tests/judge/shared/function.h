@@ -25,6 +25,8 @@ int range_at(Range range, int i);
 // Returns -1 for an input that is rolled.
 int edge_of(int i, int n, int n_edges);
 
+enum { MOST_KNOWN_LISTS = 4 };
+
 typedef struct Function {
     const char *section;  // of the answers
     int n;                // how many there are in all ranges together
@@ -37,18 +39,16 @@ typedef struct Function {
     char *(*describe)(const void *job, int i, const void *answers);
     const char *counted;  // "points"; NULL for "inputs"
 
-    // The known mistakes (known.h). The cause is one that explains every answer, in the ranges of
-    // other checks, too: else it is not what the function does.
-    const Known *const *known;
-    int n_known;
+    // The known mistakes (known.h), in one list or more. The cause is one that explains every
+    // answer, in the ranges of other checks, too: else it is not what the function does.
+    KnownList *known[MOST_KNOWN_LISTS];
     int is_known_by_range;  // a check's range is enough: what a mistake makes of the other ranges
                             // is lost in rounding, or undefined
     // Of answers that are all the same nothing is concluded, but where some mistake of the list
     // makes them so.
     int knows_constant;
 } Function;
-#define KNOWING(right, words, list)                                                                \
-    .is_right = (right), .describe = (words), .known = (list), .n_known = COUNT(list)
+#define KNOWING(right, words, ...) .is_right = (right), .describe = (words), .known = {__VA_ARGS__}
 
 // Are there no facts, so that the answer is right? Releases them.
 int facts_are_none(char *facts);

@@ -59,43 +59,47 @@ static void shuffle_places(Random *random, int n, int places[])
     }
 }
 
+// Circles of one scene, at places where all have the same centre.
+typedef struct DepthRow {
+    int place;
+    float depth;
+    enum { DRAWN, CLEAR, BLACK, CLEAR_AND_BLACK } color;
+} DepthRow;
+
+static const DepthRow rows[] = {
+    // None has a depth with which a minDepth may be thought to start. Nearer by one float,
+    // farther by one, equal, nearer by less than any epsilon, much nearer.
+    {0, 0.375f, DRAWN},
+    {0, 0x1.7ffffep-2f, DRAWN},
+    {1, 0.375f, DRAWN},
+    {1, 0x1.800002p-2f, DRAWN},
+    {3, 0.0f, DRAWN},
+    {3, -0.0f, DRAWN},
+    {4, 0.0f, DRAWN},
+    {4, -0x1p-100f, DRAWN},
+    {5, 1e30f, DRAWN},
+    {5, -1e30f, DRAWN},
+    // Alone: taken, however far or near.
+    {2, FLT_MAX, DRAWN},
+    {6, -3e38f, DRAWN},
+    // Farther than a negative one, and than those that cannot be seen.
+    {7, -1, DRAWN},
+    {7, 0.5f, DRAWN},
+    {8, 0.25f, CLEAR},
+    {8, 0.75f, DRAWN},
+    {9, 0.25f, BLACK},
+    {9, 0.75f, DRAWN},
+    {10, 0.25f, CLEAR_AND_BLACK},
+    {10, 0.75f, DRAWN},
+    // Covered by one that cannot be seen.
+    {11, 0.75f, DRAWN},
+    {11, 0.25f, CLEAR},
+};
+
 // Where circles have the same centre, one of them takes the pixels, and its depth says which:
 // neither its colour nor its alpha does.
 int job_scene_depths(JobScene *scene, Random *random)
 {
-    static const struct {
-        int place;
-        float depth;
-        enum { DRAWN, CLEAR, BLACK, CLEAR_AND_BLACK } color;
-    } rows[] = {
-        // None has a depth with which a minDepth may be thought to start. Nearer by one float,
-        // farther by one, equal, nearer by less than any epsilon, much nearer.
-        {0, 0.375f, DRAWN},
-        {0, 0x1.7ffffep-2f, DRAWN},
-        {1, 0.375f, DRAWN},
-        {1, 0x1.800002p-2f, DRAWN},
-        {3, 0.0f, DRAWN},
-        {3, -0.0f, DRAWN},
-        {4, 0.0f, DRAWN},
-        {4, -0x1p-100f, DRAWN},
-        {5, 1e30f, DRAWN},
-        {5, -1e30f, DRAWN},
-        // Alone: taken, however far or near.
-        {2, FLT_MAX, DRAWN},
-        {6, -3e38f, DRAWN},
-        // Farther than a negative one, and than those that cannot be seen.
-        {7, -1, DRAWN},
-        {7, 0.5f, DRAWN},
-        {8, 0.25f, CLEAR},
-        {8, 0.75f, DRAWN},
-        {9, 0.25f, BLACK},
-        {9, 0.75f, DRAWN},
-        {10, 0.25f, CLEAR_AND_BLACK},
-        {10, 0.75f, DRAWN},
-        // Covered by one that cannot be seen.
-        {11, 0.75f, DRAWN},
-        {11, 0.25f, CLEAR},
-    };
     enum { N_ROWS = sizeof rows / sizeof *rows, N_PLACES = 12, PLACES_A_ROW = 4, PLACE = 8 };
     int places[N_PLACES] = {0};
     *scene = (JobScene){0};
@@ -206,94 +210,96 @@ static Cause draw_fewer(const JobScene *scene, int are_squares, int mistake, Ima
 #define PLACE_AS_ID "drawn as if a position in the list were used as the circle's id"
 #define TOO_FAR "drawn as if far circles were never taken: minDepth starts too small"
 
+// A picture of circles with a mistake, and what is said of it.
+typedef struct DrawnMistake {
+    Cause looks;
+    OracleRules rules;
+} DrawnMistake;
+
+static const DrawnMistake mistakes[] = {
+    // Before those of all depths, which a scene of few circles may not tell from these.
+    {{.says = "drawn as if nothing could be nearer than depth 0: a depth may be negative"},
+     {.ends_at_0 = 1}},
+    {{.says = "drawn as if a negative minDepth said that there is no circle yet: a depth may "
+              "be negative"},
+     {.negative_is_none = 1}},
+    {{"drawn as if the boundary did not belong to the circle (strict where it should not be)",
+      MISTAKE_STRICT_BOUNDARY},
+     {.strict_boundary = 1}},
+    {{"drawn as if of two equal depths the later circle won", MISTAKE_LATER_OF_EQUALS},
+     {.later_wins_ties = 1}},
+    {{.says = "drawn as if only the first circle were asked"}, {.most_asked = 1}},
+    {{.says = "drawn as if depth did not matter: the last circle covers the others"},
+     {.ignore_depth = 1}},
+    {{.says = "drawn as if depth did not matter: the first circle keeps the pixel"},
+     {.first_wins = 1}},
+    {{.says = "drawn as if the farthest circle won: the depth test is inverted"},
+     {.farthest_wins = 1}},
+    {{.says = "drawn as if the first circle were missing"}, {.skip_first = 1}},
+    {{.says = "drawn as if the last circle were missing"}, {.skip_last = 1}},
+    {{"shifted by half a pixel: the sample point is the integer coordinate", MISTAKE_SHIFTED_HALF},
+     {.sample_offset = 0.5}},
+    {{"shifted by half a pixel: the sample point is the integer coordinate", MISTAKE_SHIFTED_HALF},
+     {.sample_offset = -0.5}},
+    {{.says = "drawn with half the radius"}, {.diameter = 1}},
+    {{.says = TOO_FAR}, {.too_far = -1e-300}},  // 0 and beyond
+    {{.says = TOO_FAR}, {.too_far = 0.5}},
+    {{.says = TOO_FAR}, {.too_far = 1}},
+    {{.says = TOO_FAR}, {.too_far = 1e6}},
+    {{.says = TOO_FAR}, {.too_far = 1e33}},
+    {{.says = TOO_FAR}, {.too_far = FLT_MAX}},
+    {{.says = "drawn as if minDepth started with the depth of the first circle, which is not "
+              "nearer than itself"},
+     {.first_is_limit = 1}},
+    {{.says = "drawn as if circle 0 were none: 0 is an id as any other"}, {.first_is_nobody = 1}},
+    {{.says = NONE_YET}, {.zero_is_none = CHANNEL_A}},
+    {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R}},
+    {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R | CHANNEL_G | CHANNEL_B}},
+    {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R | CHANNEL_G | CHANNEL_B | CHANNEL_A}},
+    {{.says = "drawn as if transparent circles were none: the nearest circle takes the pixel, "
+              "alpha included"},
+     {.clear_is_hidden = 1}},
+    {{.says = COVERS_ALL}, {.covers_all = 1, .ignore_depth = 1}},
+    {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
+    {{.says = UNCOVERING}, {.all_limit = 1}},
+    {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
+    {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
+    {{.says = "drawn as if the last circles were missing"}, {.skip_last = 3}},
+};
+
+// Those of the lists of a tree.
+static const DrawnMistake leaf_mistakes[] = {
+    {{"drawn as if the first circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
+     {.skip_first = 1}},
+    {{"drawn as if the last circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
+     {.skip_last = 1}},
+    {{.says = COVERS_ALL}, {.covers_all = 1, .ignore_depth = 1}},
+    {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
+    {{.says = UNCOVERING}, {.all_limit = 1}},
+    {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
+    {{"drawn as if rows and columns were swapped where a leaf's circles are asked",
+      MISTAKE_TRANSPOSED},
+     {.transposed = 1}},
+    {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_0}},
+    {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_1}},
+    {{.says = PLACE_AS_ID}, {.id = ID_PLACE_IN_MAP}},
+    {{"drawn as if a leaf's count were used as a circle's id: the ids come behind it",
+      MISTAKE_MISSING_IN_CELL},
+     {.id = ID_BEFORE}},
+    {{.says = COUNT_AS_END}, {.count_is_end = 1}},
+    {{.says = COUNT_AS_END}, {.count_is_end = 2}},
+    {{.says = FIRST_LIST}, {.first_ids = 1}},
+    {{.says = FIRST_LIST}, {.first_list = 1}},
+};
+
 // The oracle's mistakes, of circles or of squares. As DrawMistaken has it.
 static Cause draw_shapes(const void *pointer, int are_squares, int mistake, Image *guess,
                          float *tolerances)
 {
-    static const struct {
-        Cause looks;
-        OracleRules rules;
-    } mistakes[] = {
-        // Before those of all depths, which a scene of few circles may not tell from these.
-        {{.says = "drawn as if nothing could be nearer than depth 0: a depth may be negative"},
-         {.ends_at_0 = 1}},
-        {{.says = "drawn as if a negative minDepth said that there is no circle yet: a depth may "
-                  "be negative"},
-         {.negative_is_none = 1}},
-        {{"drawn as if the boundary did not belong to the circle (strict where it should not be)",
-          MISTAKE_STRICT_BOUNDARY},
-         {.strict_boundary = 1}},
-        {{"drawn as if of two equal depths the later circle won", MISTAKE_LATER_OF_EQUALS},
-         {.later_wins_ties = 1}},
-        {{.says = "drawn as if only the first circle were asked"}, {.most_asked = 1}},
-        {{.says = "drawn as if depth did not matter: the last circle covers the others"},
-         {.ignore_depth = 1}},
-        {{.says = "drawn as if depth did not matter: the first circle keeps the pixel"},
-         {.first_wins = 1}},
-        {{.says = "drawn as if the farthest circle won: the depth test is inverted"},
-         {.farthest_wins = 1}},
-        {{.says = "drawn as if the first circle were missing"}, {.skip_first = 1}},
-        {{.says = "drawn as if the last circle were missing"}, {.skip_last = 1}},
-        {{"shifted by half a pixel: the sample point is the integer coordinate",
-          MISTAKE_SHIFTED_HALF},
-         {.sample_offset = 0.5}},
-        {{"shifted by half a pixel: the sample point is the integer coordinate",
-          MISTAKE_SHIFTED_HALF},
-         {.sample_offset = -0.5}},
-        {{.says = "drawn with half the radius"}, {.diameter = 1}},
-        {{.says = TOO_FAR}, {.too_far = -1e-300}},  // 0 and beyond
-        {{.says = TOO_FAR}, {.too_far = 0.5}},
-        {{.says = TOO_FAR}, {.too_far = 1}},
-        {{.says = TOO_FAR}, {.too_far = 1e6}},
-        {{.says = TOO_FAR}, {.too_far = 1e33}},
-        {{.says = TOO_FAR}, {.too_far = FLT_MAX}},
-        {{.says = "drawn as if minDepth started with the depth of the first circle, which is not "
-                  "nearer than itself"},
-         {.first_is_limit = 1}},
-        {{.says = "drawn as if circle 0 were none: 0 is an id as any other"},
-         {.first_is_nobody = 1}},
-        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_A}},
-        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R}},
-        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R | CHANNEL_G | CHANNEL_B}},
-        {{.says = NONE_YET}, {.zero_is_none = CHANNEL_R | CHANNEL_G | CHANNEL_B | CHANNEL_A}},
-        {{.says = "drawn as if transparent circles were none: the nearest circle takes the pixel, "
-                  "alpha included"},
-         {.clear_is_hidden = 1}},
-        {{.says = COVERS_ALL}, {.covers_all = 1, .ignore_depth = 1}},
-        {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
-        {{.says = UNCOVERING}, {.all_limit = 1}},
-        {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
-        {{.says = "drawn as if the last circles were missing"}, {.skip_last = 2}},
-        {{.says = "drawn as if the last circles were missing"}, {.skip_last = 3}},
+    enum {
+        N_MISTAKES = sizeof mistakes / sizeof *mistakes,
+        N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes
     };
-    enum { N_MISTAKES = sizeof mistakes / sizeof *mistakes };
-    static const struct {
-        Cause looks;
-        OracleRules rules;
-    } leaf_mistakes[] = {
-        {{"drawn as if the first circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
-         {.skip_first = 1}},
-        {{"drawn as if the last circle of every leaf were missing", MISTAKE_MISSING_IN_CELL},
-         {.skip_last = 1}},
-        {{.says = COVERS_ALL}, {.covers_all = 1, .ignore_depth = 1}},
-        {{.says = ENDS_AT_MISS}, {.ends_at_miss = 1}},
-        {{.says = UNCOVERING}, {.all_limit = 1}},
-        {{.says = UNCOVERING}, {.last_limits = 1, .ignore_depth = 1}},
-        {{"drawn as if rows and columns were swapped where a leaf's circles are asked",
-          MISTAKE_TRANSPOSED},
-         {.transposed = 1}},
-        {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_0}},
-        {{.says = PLACE_AS_ID}, {.id = ID_PLACE_FROM_1}},
-        {{.says = PLACE_AS_ID}, {.id = ID_PLACE_IN_MAP}},
-        {{"drawn as if a leaf's count were used as a circle's id: the ids come behind it",
-          MISTAKE_MISSING_IN_CELL},
-         {.id = ID_BEFORE}},
-        {{.says = COUNT_AS_END}, {.count_is_end = 1}},
-        {{.says = COUNT_AS_END}, {.count_is_end = 2}},
-        {{.says = FIRST_LIST}, {.first_ids = 1}},
-        {{.says = FIRST_LIST}, {.first_list = 1}},
-    };
-    enum { N_LEAF_MISTAKES = sizeof leaf_mistakes / sizeof *leaf_mistakes };
     const JobScene *scene = pointer;
     const Circle *circles = scene->scene.circles;
     const int n_leaf_mistakes = scene->tree.n_nodes > 0 ? N_LEAF_MISTAKES : 0;

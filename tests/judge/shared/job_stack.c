@@ -91,6 +91,19 @@ static Words put_words(const StackState *before, const StackState *todo)
     return words("%u nodes put on the stack", todo->n - before->n);
 }
 
+NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max)
+{
+    answer.at.t_min = t_min;
+    answer.at.t_max = t_max;
+    return answer;
+}
+
+NextWaitingAnswer with_one_more(NextWaitingAnswer answer)
+{
+    answer.todo.n++;
+    return answer;
+}
+
 Words next_child_words(const StackState *before, const NextChildAnswer *answer)
 {
     return words("node %u with [%.9g, %.9g], and %s", answer->next.node, answer->next.t_min,

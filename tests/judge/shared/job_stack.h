@@ -35,6 +35,10 @@ int same_stack(const StackState *a, const StackState *b);
 // Does the search end in both, or go on with the same? Where it is over, at and todo do not matter.
 int same_waiting(const NextWaitingAnswer *found, NextWaitingAnswer expected);
 
+// An answer with another part of the node that is handed on, and with one more node on the stack.
+NextWaitingAnswer with_part(NextWaitingAnswer answer, float t_min, float t_max);
+NextWaitingAnswer with_one_more(NextWaitingAnswer answer);
+
 // "node 12 with [1, 4], and node 13 with [4, 5] put on the stack".
 //   before   the stack that was handed in
 Words next_child_words(const StackState *before, const NextChildAnswer *answer);

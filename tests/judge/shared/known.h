@@ -1,21 +1,34 @@
 // How a judge knows a mistake: for each function of the student's, a list of known ones.
 //
-// A known mistake is one expression, with what is said of it, and its kind where it has one:
+// A list is a function that is asked about a mistake by its number, and about one input and answer.
+// In it each mistake is written once: its name, an expression, what is said of it, and its kind
+// where it has one:
 //
-//   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped")
+//   KNOWN_LIST(known)
+//   {
+//       GIVEN;
+//
+//       ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped");
+//       ...
+//       return NO_MORE;
+//   }
+//
+//   ANSWERS(far_side, !near_side(in), "that is the far side: near and far are swapped");
 //       what an answer with the mistake is for the input `in`: every answer must be it;
 //       EACH(name, expression, ...) is the same where it takes more to tell whether `found` is it;
-//   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre")
+//   ONLY(no_radius, !found && in.radius == 0, "a circle of radius 0 covers its centre");
 //       could the wrong answer `found` be of the mistake? Every wrong one must.
-//   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken")
-//       EACH for a family of mistakes with one sentence: `way` is 0 to 5, and one of them is it.
-//       It may contain others' mistakes, and what is right: it is named where no other is.
+//   ONE_OF(few_asked, 3, IS_FOUND(of_first(in, 4 << way)), "not all of them are asked");
+//       EACH for three mistakes with one sentence: `way` is 0 to 2, and one of them is it;
+//   ANY(copied, 6, IS_FOUND(other_axis(in, way)), "the numbers of another axis were taken");
+//       the same for a large family: it may contain others' mistakes, and what is right; it is
+//       named where no other is.
 //
 // "Every" is every answer of the function, in the ranges of all checks (but for is_known_by_range
 // of function.h): a sentence that is true in one check and not in another is not the cause.
-// ANSWERS and EACH are asked first, then ANY; if two with different sentences explain the answers,
-// nothing is said. Of ONLY the first of the list is named: the special one is before the general
-// one. NULL for a sentence: then nothing is said. What is right is told without mistakes:
+// ANSWERS, EACH and ONE_OF are asked first, then ANY; if two with different sentences explain the
+// answers, nothing is said. Of ONLY the first of the list is named: the special one is before the
+// general one. NULL for a sentence: then nothing is said. What is right is told without mistakes:
 //
 //   RIGHT(is_right, found == near_side(in))
 //
@@ -26,12 +39,19 @@
 
 #include "diagnosis.h"
 
+// What a list says of one mistake.
 typedef struct Known {
+    const char *name;  // NULL behind the last one
     Cause cause;
-    int (*fits)(const void *job, int i, const void *answers, int way);
-    int n_ways;
-    int is_only;  // asked of wrong answers only
+    int fits;    // could the answer be of it?
+    int n_ways;  // how many mistakes it is
+    enum { KNOWN_ANSWERS, KNOWN_FAMILY, KNOWN_OF_WRONG } form;
 } Known;
+
+typedef Known KnownList(const void *job, int i, const void *answers, int number, int way);
+#define KNOWN_LIST(list)                                                                           \
+    static Known list(const void *job, int i, const void *answers, int number, int way)
+#define NO_MORE ((void)number, (void)way, (Known){.name = NULL})
 
 #define RIGHT(name, expression)                                                                    \
     static int name(const void *job, int i, const void *answers)                                   \
@@ -41,16 +61,15 @@ typedef struct Known {
         return expression;                                                                         \
     }
 #define ANSWERS(name, expression, ...) EACH(name, IS_FOUND(expression), __VA_ARGS__)
-#define EACH(name, expression, ...) KNOWN(name, 1, expression, 0, __VA_ARGS__)
-#define ONLY(name, expression, ...) KNOWN(name, 1, expression, 1, __VA_ARGS__)
-#define ANY(name, n, expression, ...) KNOWN(name, n, expression, 0, __VA_ARGS__)
+#define EACH(name, expression, ...) ONE_OF(name, 1, expression, __VA_ARGS__)
+#define ONE_OF(name, n, expression, ...) KNOWN(name, n, expression, KNOWN_ANSWERS, __VA_ARGS__)
+#define ANY(name, n, expression, ...) KNOWN(name, n, expression, KNOWN_FAMILY, __VA_ARGS__)
+#define ONLY(name, expression, ...) KNOWN(name, 1, expression, KNOWN_OF_WRONG, __VA_ARGS__)
 #define KNOWN(name, n, expression, form, ...)                                                      \
-    static int name##_fits(const void *job, int i, const void *answers, int way)                   \
-    {                                                                                              \
-        GIVEN;                                                                                     \
-        (void)in, (void)found, (void)way;                                                          \
-        return expression;                                                                         \
-    }                                                                                              \
-    static const Known name = {{.says = __VA_ARGS__}, name##_fits, n, form};
+    do {                                                                                           \
+        if (number-- == 0) {                                                                       \
+            return (Known){#name, {.says = __VA_ARGS__}, expression, n, form};                     \
+        }                                                                                          \
+    } while (0)
 
 #endif

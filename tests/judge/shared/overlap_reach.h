@@ -22,6 +22,12 @@ static inline double reach_squared(Reach r)
     return r.outside[0] * r.outside[0] + r.outside[1] * r.outside[1] + r.outside[2] * r.outside[2];
 }
 
+// The same with an axis left out.
+static inline double reach_without(Reach r, int axis)
+{
+    return reach_squared(r) - r.outside[axis] * r.outside[axis];
+}
+
 static inline float reach_squared_in_float(Reach r)
 {
     const float x = (float)r.outside[0], y = (float)r.outside[1], z = (float)r.outside[2];

@@ -48,7 +48,7 @@ LAYOUT_ASSERT(PackAnswer, 1656);
 #define PACK_CELL(id) ((BBox2D){(f32)(id), (f32)(id) + 2, 1, 3})
 
 // Scene K is answered with "tree.K" and the four arrays "tree.K.relations", ".flags", ".boxes"
-// and ".map"; with "tree.K.refused", a u32, where the builder gave up.
+// and ".map"; with "tree.K.refused", a KdFault as a u32, where the builder gave up.
 typedef struct TreeAnswer {
     u32 n_nodes;
     u32 n_map;

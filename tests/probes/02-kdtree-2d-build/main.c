@@ -4,7 +4,6 @@
 #include "kdtree2d_build.h"
 #include "probe.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -143,43 +142,16 @@ static void replay_pack_leaf(const Probe *probe, const char *name)
 
 // ---- Whole trees --------------------------------------------------------------------------------
 
-// Why the builder gave up, by its own message.
-static u32 refusal_of(const char *message)
-{
-    return strstr(message, "distribute() returned more") ? TREE_OF_TOO_MANY_IDS
-           : strstr(message, "pack_leaf() moved n_map")  ? TREE_OF_LONG_LISTS
-                                                         : TREE_TOO_LARGE;
-}
-
-// Build a tree. Returns N_TREE_REFUSALS, or why there is none. The builder tells that on stderr
-// only, which is taken for as long as it is at work.
-static u32 tree_build(const Circle *circles, const SceneJob *scene, KdTree2D *tree)
-{
-    const KdTreeLimits limits = {scene->maxDepth, scene->targetElementsPerNode};
-    char *text = NULL;
-    size_t n_bytes = 0;
-    FILE *const usual = stderr, *taken = open_memstream(&text, &n_bytes);
-    stderr = taken ? taken : usual;
-    const int result = kdtree2d_build(circles, (u32)scene->n_circles, limits, tree);
-    stderr = usual;
-    if (taken != NULL) {
-        fclose(taken);
-    }
-    const u32 refusal = result == 0 ? N_TREE_REFUSALS : refusal_of(text ? text : "");
-    fputs(text ? text : "", stderr);
-    free(text);
-    return refusal;
-}
-
 static void answer_tree(const Probe *probe, int k, const SceneJob *scene)
 {
     size_t n_bytes;
     const Circle *circles = probe_scene_part(probe, k, "circles", &n_bytes);
+    const KdTreeLimits limits = {scene->maxDepth, scene->targetElementsPerNode};
     KdTree2D tree = {0};
     probe_note(probe, "tree", (uint32_t)k);
-    const u32 refusal = tree_build(circles, scene, &tree);
-    if (refusal != N_TREE_REFUSALS) {
-        probe_answer(probe, "tree", k, "refused", &refusal, sizeof refusal);
+    const u32 fault = (u32)kdtree2d_build(circles, (u32)scene->n_circles, limits, &tree);
+    if (fault != KD_BUILT) {
+        probe_answer(probe, "tree", k, "refused", &fault, sizeof fault);
         return;
     }
     const TreeAnswer answer = {tree.n_nodes, tree.n_map};
