@@ -130,6 +130,32 @@ saved eval 'printf h >&3'
 check "h shows a hint" last "1 of 4  "
 check "a second watch is refused" says "one runs here already" build/tools/desk watch --lab "$lab"
 
+check "VS Code sees when a round begins and ends" [ "$(matched watch beginsPattern <"$log" | wc -l) $(matched watch endsPattern <"$log" | wc -l)" = \
+    "$(rounds) $(offers)" ]
+
+kill -INT "$watch"
+wait "$watch"
+ok $? "Ctrl-C ends it" "$(tail -n 5 "$log")"
+nothing_is_left() { [ -z "$(ls -A "$TMPDIR")" ] && ! pgrep -f "$course" >/dev/null; }
+await nothing_is_left
+ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
+heart_ends
+
+# ---- Two judges, and two saves ------------------------------------------------------------------------
+
+# begin_watch LAB OPTION...: another one.
+begin_watch() {
+    : >"$log"
+    build/tools/desk watch --lab "$@" <keys >"$log" 2>&1 &
+    watch=$!
+    exec 3>keys
+    await done_after 0
+}
+end_watch() {
+    printf q >&3
+    wait "$watch"
+}
+begin_watch "$lab" --native build/native
 two_wrong() { sed -e 's/i <= n_circles/i < n_circles/' -e 's/x < box.maxX/x <= box.maxX/' "$right" | write "$file"; }
 saved two_wrong
 check "a later task that failed, too, is marked as the first one" \
@@ -163,33 +189,11 @@ as_solved
 await done_after "$before"
 check "a save in the middle of a round ends it" [ "$(grep -c 'not graded to its end' "$log")" -ge 1 ]
 check "and is not missed" last "Score 100/100"
-
-check "VS Code sees when a round begins and ends" [ "$(matched watch beginsPattern <"$log" | wc -l) $(matched watch endsPattern <"$log" | wc -l)" = \
-    "$(rounds) $(offers)" ]
-
-kill -INT "$watch"
-wait "$watch"
-ok $? "Ctrl-C ends it" "$(tail -n 5 "$log")"
-nothing_is_left() { [ -z "$(ls -A "$TMPDIR")" ] && ! pgrep -f "$course" >/dev/null; }
-await nothing_is_left
-ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
 check "what was reached is noted" says "100/100" make -s progress
-heart_ends
+end_watch
 
 # ---- A host file ------------------------------------------------------------------------------------
 
-# begin_watch LAB: in a place of its own.
-begin_watch() {
-    : >"$log"
-    build/tools/desk watch --lab "$1" <keys >"$log" 2>&1 &
-    watch=$!
-    exec 3>keys
-    await done_after 0
-}
-end_watch() {
-    printf q >&3
-    wait "$watch"
-}
 host=labs/00-hello-pixels/render.c
 cp solutions/00-hello-pixels/gradient.cl labs/00-hello-pixels/
 cp solutions/00-hello-pixels/render.c "$host"
