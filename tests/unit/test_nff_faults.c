@@ -194,10 +194,8 @@ Test(nff_faults, a_folder_cannot_be_read)
     FILE *folder = fopen(".", "rb");
     cr_assert_not_null(folder);
     Scene3D scene = {0};
-    capture_begin(2);
-    int result = scene3d_read_nff(folder, "folder.nff", &scene);
-    expect_one_message(capture_end(2), strerror(EISDIR));
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE(strerror(EISDIR), scene3d_read_nff(folder, "folder.nff", &scene)),
+                 -1);
     fclose(folder);
 }
 

@@ -81,10 +81,8 @@ Test(output_file, has_the_rights_of_a_new_file)
 Test(output_file, no_such_folder)
 {
     OutputFile output;
-    capture_begin(2);
-    int result = output_file_open(&output, "nowhere/figure.svg");
-    expect_one_message(capture_end(2), "nowhere/figure.svg: ");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("nowhere/figure.svg: ", output_file_open(&output, "nowhere/figure.svg")), -1);
     cr_expect_null(output.file);
     output_file_discard(&output);
 }
@@ -94,10 +92,7 @@ Test(output_file, a_device_or_folder_is_refused_and_kept)
 {
     cr_assert_eq(mkfifo("pipe", 0600), 0);
     OutputFile output;
-    capture_begin(2);
-    int result = output_file_open(&output, "pipe");
-    expect_one_message(capture_end(2), "not a regular file");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE("not a regular file", output_file_open(&output, "pipe")), -1);
     struct stat status;
     cr_assert_eq(stat("pipe", &status), 0);
     cr_expect(S_ISFIFO(status.st_mode));
@@ -159,9 +154,8 @@ Test(output_file, the_reason_of_the_first_fault_is_told)
     }
     setrlimit(RLIMIT_FSIZE, &usual);
     fputs("the last line\n", output.file);
-    capture_begin(2);
-    int result = output_file_commit(&output);
-    expect_one_message(capture_end(2), "figure.svg: cannot be written: File too large");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("figure.svg: cannot be written: File too large", output_file_commit(&output)),
+        -1);
     cr_expect_eq(folder_count(), 0);
 }

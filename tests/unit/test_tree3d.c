@@ -43,10 +43,7 @@ static Subject *subject_open(void)
 
 static void expect_fault(const KdTree3D *tree, u32 n_spheres, const char *part)
 {
-    capture_begin(2);
-    const int result = tree3d_check(tree, n_spheres);
-    expect_one_message(capture_end(2), part);
-    cr_expect_eq(result, -1, "%s", part);
+    cr_expect_eq(WITH_MESSAGE(part, tree3d_check(tree, n_spheres)), -1, "%s", part);
 }
 
 Test(tree3d, a_good_tree_passes_without_a_word)
