@@ -24,7 +24,8 @@ typedef struct KernelRow {
     const char *name;
 } KernelRow;
 
-// Compile n rows that have a path. Returns 0, or -1 after one message. Release with programs_free().
+// Compile n rows that have a path. Returns 0, or -1 after one message. Release with
+// programs_free().
 int programs_build(const ClSetup *cl, const KernelRow *rows, int n, cl_program *programs);
 void programs_free(cl_program *programs, int n);
 
@@ -34,7 +35,8 @@ cl_kernel kernel_create(cl_program program, const char *name);
 // Release those of n kernels that are not NULL.
 void kernels_free(cl_kernel *kernels, int n);
 
-// Set n arguments of a kernel that are buffers, from the one with the number `first` on. Returns the next number.
+// Set n arguments of a kernel that are buffers, from the one with the number `first` on. Returns
+// the next number.
 cl_uint kernel_set_buffers(cl_kernel kernel, cl_uint first, const cl_mem *buffers, int n);
 
 // Queue a kernel over the pixels from (x, y) to (x + width - 1, y + height - 1), in work-groups of

@@ -1,7 +1,8 @@
-// Texts that are kept whole, in tests/unit/golden/: a test compares what it makes with all of such a file.
+// Texts that are kept whole, in tests/unit/golden/: a test compares what it makes with all of such
+// a file.
 //
-// After a change that is meant, `GOLDEN=write tests/run.sh test_report_systems` writes the test's files anew;
-// `git diff` shows what has changed.
+// After a change that is meant, `GOLDEN=write tests/run.sh test_report_systems` writes the test's
+// files anew; `git diff` shows what has changed.
 #ifndef UNIT_GOLDEN_H
 #define UNIT_GOLDEN_H
 

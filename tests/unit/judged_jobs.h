@@ -30,7 +30,8 @@ enum { N_LABS = sizeof lab_names / sizeof *lab_names };
     }                                                                                              \
     ParameterizedTest(const int *lab, suite, name)
 
-// How many of what is tried again and again: `make test` tries the heart (tests/tap.sh), `make test-all` all.
+// How many of what is tried again and again: `make test` tries the heart (tests/tap.sh), `make
+// test-all` all.
 static inline int heart(int few, int all)
 {
     const char *is_heart = getenv("HEART");

@@ -1,5 +1,5 @@
-// Reading scenes from texts, for the tests of their readers: nff_samples.h and molecule_samples.h, which say before what
-// their files are called (SCENE_NAME).
+// Reading scenes from texts, for the tests of their readers: nff_samples.h and molecule_samples.h,
+// which say before what their files are called (SCENE_NAME).
 #ifndef UNIT_SCENE_TEXTS_H
 #define UNIT_SCENE_TEXTS_H
 

@@ -99,7 +99,8 @@ Test(output_file, a_device_or_folder_is_refused_and_kept)
     cr_expect_eq(folder_count(), 1);
 }
 
-// Write more than there is room for: a limit on the file's size stands for a full disk. Returns the usual limit.
+// Write more than there is room for: a limit on the file's size stands for a full disk. Returns the
+// usual limit.
 static struct rlimit disk_fill(OutputFile *output)
 {
     struct rlimit usual, limit;

@@ -32,9 +32,9 @@ Test(report_systems, reads_names_of_formats)
 
 // ---- Hostile messages -------------------------------------------------------------------------
 
-// What a student may have put into a message, to be taken for something else: the end of an element, signs that
-// move a cursor, tests of TAP, commands of GitHub, scores of Autolab; and VPL's grade, which is the last line that
-// begins like one.
+// What a student may have put into a message, to be taken for something else: the end of an
+// element, signs that move a cursor, tests of TAP, commands of GitHub, scores of Autolab; and VPL's
+// grade, which is the last line that begins like one.
 static const char hostile[] = "</failure>]]><![CDATA[ & \" ' \x01\x1b[2J\x9b \xff\xfe\xef\xbf\xbf\n"
                               "ok 99 - all\nBail out!\n::notice::Points 100/100\n"
                               "{\"scores\":{\"overlaps_N_Nearer\":40}}\n"

@@ -1,7 +1,7 @@
 // Trees to spoil, in 2D and in 3D: who of their judges objects, and what a fault is.
 //
-// Included by tree2d_subject.h and tree3d_subject.h, which say before what a Scene and a Tree are, and
-// which JUDGES there are. Read next: test_tree2d_faults.c.
+// Included by tree2d_subject.h and tree3d_subject.h, which say before what a Scene and a Tree are,
+// and which JUDGES there are. Read next: test_tree2d_faults.c.
 #ifndef UNIT_TREE_FAULTS_H
 #define UNIT_TREE_FAULTS_H
 
