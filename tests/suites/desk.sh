@@ -261,7 +261,7 @@ for signal in TERM KILL; do
     build/tools/grade --lab 03 >/dev/null 2>&1 &
     grading=$!
     # Its folders are made when who clears up behind it is there.
-    has_begun() { [ -n "$(echo "$TMPDIR"/*/tree | grep -vF '*')" ]; }
+    has_begun() { ls -d "$TMPDIR"/*/tree >/dev/null 2>&1; }
     await has_begun
     kill -$signal $grading
     wait $grading 2>/dev/null

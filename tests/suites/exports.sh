@@ -324,11 +324,10 @@ check "of whom all three are graded" said "3 of 3 graded"
 
 # read_soon SUBMISSIONS: is the folder read in a minute of processor time, where it once took many?
 # shellcheck disable=SC2317 # called by check
-read_soon() (
+read_soon() {
     rm -rf "$scratch/soon" && mkdir "$scratch/soon"
-    ulimit -t 60
-    exits 0 "$build/tools/gradebook" roster 0 "$1" "$scratch/soon" >"$scratch/said" 2>&1
-)
+    exits 0 prlimit --cpu=60 "$build/tools/gradebook" roster 0 "$1" "$scratch/soon" >"$scratch/said" 2>&1
+}
 class=$scratch/many
 mkdir -p "$class/ada" "$class/bob"
 (cd "$class/bob" && seq -f 'Lab_a_attempt_2026-11-03-10-22-33_f%.0f' 4000 | xargs touch)
