@@ -10,8 +10,9 @@ written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e ^tests
 check "clang-format (make format mends it)" clang-format-19 --dry-run -Werror \
     --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' $written
 
+# In the heart with one set of macros for each file.
 # shellcheck disable=SC2046,SC2086
-check "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
+check "cppcheck" cppcheck $(heart --max-configs=1 "") --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
     --enable=warning,performance,portability --suppress=missingIncludeSystem \
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
