@@ -54,11 +54,11 @@ run_into() (
     fi
 )
 
-# run_limited LAB OPTION...: the same for at most a minute, for what might wait for ever.
+# run_limited LAB OPTION...: the same for at most ten minutes, for what might wait for ever.
 run_limited() (
     for program in "$build/solutions/$1"-*; do :; done
     shift
-    timeout 60 "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
+    timeout 600 "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null
 )
 
 # run_sanitized LAB OPTION...: the same with the sanitizers watching. What drivers leak is theirs:

@@ -9,7 +9,7 @@ AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class -I tests/
 
 $(OUT)/libmutation.a: $(call objects,$(addprefix tests/mutation/,mutations.c edits.c known_answer.c tried_alone.c groups.c groups_try.c))
 	$(archive)
-$(addprefix $(OUT)/tools/,known mutants pairs mutate): $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
+$(addprefix $(OUT)/tools/,known mutants mutate): $(OUT)/tools/%: $(OUT)/obj/tests/mutation/%.c.o $(OUT)/libmutation.a $(OUT)/libgrader.a $(OUT)/libcommon.a | $(OUT)/libimage_codec.so
 	$(call link,$(LIBRARIES))
 
 # ---- A class ---------------------------------------------------------------------------------
@@ -26,7 +26,7 @@ $(OUT)/tools/points: $(call objects,tests/class/points_tool.c) $(OUT)/libclass.a
 own_points = $(if $(and $(POINTS),$(graded_lab)),$(OUT)/tools/points "$(graded_lab)" "$$POINTS" $(OUT)/own-points.json &&)
 grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(OUT)/tools/points)
 
-grader: $(addprefix $(OUT)/tools/,holes gradebook points term known mutants mutate pairs)
+grader: $(addprefix $(OUT)/tools/,holes gradebook points term known mutants mutate)
 .PHONY: grade-class
 grade-class: graded $(addprefix $(OUT)/tools/,gradebook points)  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
 	@exec tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \

@@ -9,23 +9,18 @@
 // painter with their colours as bytes; where one differs there is no file. Cairo's may differ
 // at borders.
 // Read next: case2d.h, tables.sql.
-#include "bench_options.h"
+#include "bench.h"
 #include "case2d.h"
 #include "cl_memory.h"
 #include "image.h"
 #include "launch.h"
 #include "peers2d.h"
-#include "rounds.h"
 #include "same_pictures.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 #define SIDE 1024  // the picture's, pixels
 #define SEED 1
-
-// No further round begins that would end later: the naive kernel may take long on other machines.
-#define LONGEST_SECONDS 140
 
 // ---- What is measured -----------------------------------------------------------------------
 
@@ -85,11 +80,11 @@ static void list_cases(Bench *bench)
     }
 }
 
-// Everything up to the first frame. Returns 0, or -1 after one message.
-static int bench_prepare(Bench *bench, const char *device)
+static int bench_prepare(void *shared, const BenchOptions *options)
 {
-    if (cl_setup_open(device, &bench->cl) != 0 ||
-        programs_build(&bench->cl, bench->programs) != 0) {
+    Bench *bench = shared;
+    if (cl_setup_open(options->device, &bench->cl) != 0 ||
+        programs2d_build(&bench->cl, bench->programs) != 0) {
         return -1;
     }
     if (cl_image_create(&bench->cl, SIDE, SIDE, &bench->d_image) != 0 ||
@@ -109,11 +104,13 @@ static int bench_prepare(Bench *bench, const char *device)
             return -1;
         }
     }
+    printf("%s: %dx%d pixels\n", bench->cl.device_name, SIDE, SIDE);
     return 0;
 }
 
-static void bench_free(Bench *bench)
+static void bench_free(void *shared)
 {
+    Bench *bench = shared;
     for (int i = 0; i < bench->n_cases; i++) {
         case2d_free(&bench->cases[i]);
     }
@@ -125,7 +122,7 @@ static void bench_free(Bench *bench)
     if (bench->d_image != NULL) {
         CL_CHECK(clReleaseMemObject(bench->d_image));
     }
-    programs_free(bench->programs);
+    programs_free(bench->programs, N_CASE2D_KINDS);
     cl_setup_close(&bench->cl);
 }
 
@@ -190,19 +187,19 @@ static int measure_round(void *shared, Measurements *measurements)
     return 0;
 }
 
+static const BenchKind BENCH = {
+    .name = "bench2d",
+    .what =
+        "measures the naive kernel of lab 01, the kd-tree kernel of lab 03 and the tiles of lab 10",
+    .longest_seconds = 140,
+    .first_is_done = "; all pictures are equal, but for cairo's borders",
+    .prepare = bench_prepare,
+    .measure_round = measure_round,
+    .free = bench_free,
+};
+
 int main(int argc, char **argv)
 {
-    const BenchOptions options =
-        bench_options_read(argc, argv, "bench2d",
-                           "measures the naive kernel of lab 01, the kd-tree kernel of lab 03 and "
-                           "the tiles of lab 10");
     static Bench bench;  // large, for the stack
-    int result = bench_prepare(&bench, options.device);
-    if (result == 0) {
-        printf("%s: %dx%d pixels\n", bench.cl.device_name, SIDE, SIDE);
-        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
-                            "; all pictures are equal, but for cairo's borders");
-    }
-    bench_free(&bench);
-    return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return bench_run(&BENCH, argc, argv, &bench);
 }

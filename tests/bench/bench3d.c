@@ -5,26 +5,21 @@
 //
 //     build/tools/bench3d [--device D] [--rounds N] [--output FOLDER]       or: make bench
 //
-// All are drawn and all trees built in turn within each round (rounds.h). In the first round the
+// All are drawn and all trees built in turn within each round (bench.h). In the first round the
 // pictures of a scene are compared, and what the rays hit; where they differ there is no file.
 // Embree takes part if its package is installed (embree_peer.h) and the OpenCL device is a CPU,
 // with as many threads as that has compute units.
 // Read next: case3d.h, pictures3d.h, secondary_rays.h, lit_frames.h, tables.sql.
-#include "bench_options.h"
+#include "bench.h"
 #include "embree_peer.h"
 #include "launch.h"
 #include "lit_frames.h"
 #include "pictures3d.h"
-#include "rounds.h"
 #include "secondary_rays.h"
 #include "stats.h"
 
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
-
-// No further round begins that would end later.
-#define LONGEST_SECONDS 400
 
 // The scenes. Random ones, from few spheres to many, show how times grow. Few stand close together:
 // among them a tree begins to pay.
@@ -62,10 +57,10 @@ static int start_embree(const Bench *bench)
     return peer != NULL ? 0 : -1;
 }
 
-// Everything up to the first frame. Returns 0, or -1 after one message.
-static int bench_prepare(Bench *bench, const char *device)
+static int bench_prepare(void *shared, const BenchOptions *options)
 {
-    if (cl_setup_open(device, &bench->cl) != 0 ||
+    Bench *bench = shared;
+    if (cl_setup_open(options->device, &bench->cl) != 0 ||
         programs3d_build(&bench->cl, bench->programs) != 0 ||
         pictures3d_create(&bench->pictures) != 0) {
         return -1;
@@ -85,18 +80,21 @@ static int bench_prepare(Bench *bench, const char *device)
         lit_frames_prepare(bench->lit, &bench->cl, secondary) != 0) {
         return -1;
     }
+    printf("%s: %dx%d pixels; Embree's threads: %d\n", bench->cl.device_name, CASE3D_SIDE,
+           CASE3D_SIDE, bench->n_threads);
     return bench->n_threads > 0 ? start_embree(bench) : 0;
 }
 
-static void bench_free(Bench *bench)
+static void bench_free(void *shared)
 {
+    Bench *bench = shared;
     lit_frames_free(bench->lit);
     secondary_rays_free(&bench->secondary);
     for (int i = 0; i < N_CASES; i++) {
         case3d_free(&bench->cases[i]);
     }
     pictures3d_free(&bench->pictures);
-    programs3d_free(bench->programs);
+    programs_free(bench->programs, N_PROGRAMS);
     cl_setup_close(&bench->cl);
 }
 
@@ -242,21 +240,20 @@ static int measure_round(void *shared, Measurements *measurements)
     return lit_frames_measure(bench->lit, &bench->cl, secondary, measurements);
 }
 
+static const BenchKind BENCH = {
+    .name = "bench3d",
+    .what = "measures the naive kernel of lab 05, the kd-tree kernel of lab 07, the tiles of lab "
+            "10 and Embree, and shadows and mirrors",
+    .longest_seconds = 400,
+    .first_is_done = "; the pictures of each scene are equal, but for rounding",
+    .prepare = bench_prepare,
+    .measure_round = measure_round,
+    .free = bench_free,
+};
+
 int main(int argc, char **argv)
 {
-    const BenchOptions options =
-        bench_options_read(argc, argv, "bench3d",
-                           "measures the naive kernel of lab 05, the kd-tree kernel of lab "
-                           "07, the tiles of lab 10 and Embree, and shadows and mirrors");
     static Bench bench;  // large, for the stack
     omp_set_num_threads(1);
-    int result = bench_prepare(&bench, options.device);
-    if (result == 0) {
-        printf("%s: %dx%d pixels; Embree's threads: %d\n", bench.cl.device_name, CASE3D_SIDE,
-               CASE3D_SIDE, bench.n_threads);
-        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
-                            "; the pictures of each scene are equal, but for rounding");
-    }
-    bench_free(&bench);
-    return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return bench_run(&BENCH, argc, argv, &bench);
 }

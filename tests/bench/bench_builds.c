@@ -6,18 +6,13 @@
 //
 // The lecture's slide says that building is linear. So it is at a fixed depth, where the leaves
 // grow instead; where depth grows with the scene it is N log N. Both laws are fitted
-// (tables.sql). All trees are built in turn within each round (rounds.h), by one thread of the
+// (tables.sql). All trees are built in turn within each round (bench.h), by one thread of the
 // host.
 // Read next: case_build.h, tables.sql.
-#include "bench_options.h"
+#include "bench.h"
 #include "case_build.h"
-#include "rounds.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-
-// No further round begins that would end later.
-#define LONGEST_SECONDS 60
 
 // Trees over this many elements or fewer are built so often a round: one takes next to no time.
 enum { FEW_ELEMENTS = 1 << 14, N_QUICK_BUILDS = 5 };
@@ -27,9 +22,11 @@ typedef struct Bench {
     BuildCase cases[N_BUILDERS][N_SCENES];
 } Bench;
 
-// The scenes, and each builder over each. Returns 0, or -1 after one message.
-static int bench_prepare(Bench *bench)
+// The scenes, and each builder over each.
+static int bench_prepare(void *shared, const BenchOptions *options)
 {
+    Bench *bench = shared;
+    (void)options;
     int n = SMALLEST_SCENE;
     for (int i = 0; i < N_SCENES; i++, n *= SCENE_FACTOR) {
         if (build_scene_create(n, &bench->scenes[i]) != 0) {
@@ -42,8 +39,9 @@ static int bench_prepare(Bench *bench)
     return 0;
 }
 
-static void bench_free(Bench *bench)
+static void bench_free(void *shared)
 {
+    Bench *bench = shared;
     for (int i = 0; i < N_SCENES; i++) {
         build_scene_free(&bench->scenes[i]);
     }
@@ -95,18 +93,19 @@ static int measure_round(void *shared, Measurements *measurements)
     return 0;
 }
 
+static const BenchKind BENCH = {
+    .name = "bench_builds",
+    .what = "measures how long labs 02, 06 and 08 build, and the memory it takes; on the host, "
+            "whatever the device",
+    .longest_seconds = 60,
+    .first_is_done = "; all trees hold together",
+    .prepare = bench_prepare,
+    .measure_round = measure_round,
+    .free = bench_free,
+};
+
 int main(int argc, char **argv)
 {
-    const BenchOptions options =
-        bench_options_read(argc, argv, "bench_builds",
-                           "measures how long labs 02, 06 and 08 build, and the memory it "
-                           "takes; on the host, whatever the device");
     static Bench bench;  // large, for the stack
-    int result = bench_prepare(&bench);
-    if (result == 0) {
-        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
-                            "; all trees hold together");
-    }
-    bench_free(&bench);
-    return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return bench_run(&BENCH, argc, argv, &bench);
 }

@@ -6,16 +6,12 @@
 // In the first round each picture is compared with that of the kernel with all tricks; where they
 // differ there is no file.
 // Read next: trick.c, tables.sql.
-#include "bench_options.h"
-#include "rounds.h"
+#include "bench.h"
+#include "launch.h"
 #include "same_pictures.h"
 #include "trick_case.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-
-// No further round begins that would end later.
-#define LONGEST_SECONDS 100
 
 enum { N_FRAMES = 8 };  // a round
 
@@ -26,9 +22,9 @@ typedef struct Bench {
     Image picture, usual_picture;
 } Bench;
 
-// Everything up to the first frame. Returns 0, or -1 after one message.
-static int bench_prepare(Bench *bench, const BenchOptions *options)
+static int bench_prepare(void *shared, const BenchOptions *options)
 {
+    Bench *bench = shared;
     if (cl_setup_open(options->device, &bench->cl) != 0 ||
         image_create(TRICK_SIDE, TRICK_SIDE, &bench->picture) != 0 ||
         image_create(TRICK_SIDE, TRICK_SIDE, &bench->usual_picture) != 0) {
@@ -49,20 +45,18 @@ static int bench_prepare(Bench *bench, const BenchOptions *options)
             }
         }
     }
+    printf("%s: %dx%d pixels\n", bench->cl.device_name, TRICK_SIDE, TRICK_SIDE);
     return 0;
 }
 
-static void bench_free(Bench *bench)
+static void bench_free(void *shared)
 {
+    Bench *bench = shared;
     for (int part = 0; part < N_PARTS; part++) {
         for (int i = 0; i < N_TRICK_SCENES; i++) {
             trick_case_free(&bench->cases[part][i]);
         }
-        for (int i = 0; i < MAX_TRICKS; i++) {
-            if (bench->programs[part][i] != NULL) {
-                CL_CHECK(clReleaseProgram(bench->programs[part][i]));
-            }
-        }
+        programs_free(bench->programs[part], MAX_TRICKS);
     }
     image_free(&bench->picture);
     image_free(&bench->usual_picture);
@@ -124,19 +118,18 @@ static int measure_round(void *shared, Measurements *measurements)
     return 0;
 }
 
+static const BenchKind BENCH = {
+    .name = "bench_tricks",
+    .what = "measures lab 10's kernels with all their tricks, and without one at a time",
+    .longest_seconds = 100,
+    .first_is_done = "; without any trick the picture is the same",
+    .prepare = bench_prepare,
+    .measure_round = measure_round,
+    .free = bench_free,
+};
+
 int main(int argc, char **argv)
 {
-    const BenchOptions options =
-        bench_options_read(argc, argv, "bench_tricks",
-                           "measures lab 10's kernels with all their tricks, and without one "
-                           "at a time");
     static Bench bench;  // large, for the stack
-    int result = bench_prepare(&bench, &options);
-    if (result == 0) {
-        printf("%s: %dx%d pixels\n", bench.cl.device_name, TRICK_SIDE, TRICK_SIDE);
-        result = rounds_run(measure_round, &bench, &options, LONGEST_SECONDS,
-                            "; without any trick the picture is the same");
-    }
-    bench_free(&bench);
-    return result == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return bench_run(&BENCH, argc, argv, &bench);
 }

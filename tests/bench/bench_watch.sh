@@ -3,7 +3,7 @@
 #
 #     [ROUNDS=n] tests/bench/bench_watch.sh FOLDER [LAB...]
 #
-# Writes FOLDER/bench_watch.csv, in the form of measurements.h: for each lab, way and round the milliseconds from a
+# Writes FOLDER/bench_watch.csv, in the form of bench.h: for each lab, way and round the milliseconds from a
 # save to the first verdict and to the round's end, and the processor time until the latter. Natively the processor time
 # until the first verdict, too: PoCL's is told by a grader that still runs, of which nothing is known then. What is saved is the
 # solution, each time with another comment, so that every kernel is compiled anew. Run it in the top folder, after

@@ -10,45 +10,23 @@
 #include "stats.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 const char *const CASE2D_NAMES[N_CASE2D_KINDS] = {"naive", "kd-tree", "tiles", "painter", "cairo"};
 
 // NAIVE_OPTIONS and KDTREE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
-static const struct KernelRow {
-    const char *path;
-    const char *options;
-    const char *name;
-} KERNELS[N_CASE2D_KINDS] = {
+static KernelRow KERNELS[N_CASE2D_KINDS] = {
     [NAIVE] = {"solutions/01-naive-2d/implicit2DRenderer.cl", NAIVE_OPTIONS, "implicit2DRenderer"},
     [KDTREE] = {"solutions/03-kdtree-2d-render/implicit2DRenderer_KD.cl", KDTREE_OPTIONS,
                 "implicit2DRenderer_KD"},
-    // Its options depend on the device: see circle_tile_shape().
+    // Its options depend on the device.
     [TILES] = {"solutions/10-realtime/render_circles.cl", NULL, "render_circles"},
 };
 
-int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS])
+int programs2d_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS])
 {
-    for (int kind = 0; kind < N_CASE2D_KINDS; kind++) {
-        if (KERNELS[kind].path == NULL) {
-            continue;  // a peer
-        }
-        const char *options =
-            kind == TILES ? circle_tile_shape(cl->device).options : KERNELS[kind].options;
-        programs[kind] = cl_setup_build(cl, KERNELS[kind].path, options);
-        if (programs[kind] == NULL) {
-            return -1;
-        }
-    }
-    return 0;
-}
-
-void programs_free(cl_program programs[N_CASE2D_KINDS])
-{
-    for (int kind = 0; kind < N_CASE2D_KINDS; kind++) {
-        if (programs[kind] != NULL) {
-            CL_CHECK(clReleaseProgram(programs[kind]));
-        }
-    }
+    KERNELS[TILES].options = circle_tile_shape(cl->device).options;
+    return programs_build(cl, KERNELS, N_CASE2D_KINDS, programs);
 }
 
 static const KdTreeLimits USUAL_LIMITS = {OPTIONS_DEFAULT_MAX_DEPTH, OPTIONS_DEFAULT_LEAF_SIZE};
@@ -65,14 +43,13 @@ static int prepare_tree(Case2D *bench_case, const ClSetup *cl)
         tree2d_free(&tree);
         return -1;
     }
-    bench_case->d_nodes_Relations =
-        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations);
-    bench_case->d_nodes_flag =
-        cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag);
-    bench_case->d_nodes_BBox =
-        cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox);
-    bench_case->d_mapNode2Circles =
-        cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles);
+    const cl_mem buffers[] = {
+        bench_case->buffers[0],
+        cl_buffer_create(cl, tree.nodes_Relations, tree.n_nodes * sizeof *tree.nodes_Relations),
+        cl_buffer_create(cl, tree.nodes_flag, tree.n_nodes * sizeof *tree.nodes_flag),
+        cl_buffer_create(cl, tree.nodes_BBox, tree.n_nodes * sizeof *tree.nodes_BBox),
+        cl_buffer_create(cl, tree.mapNode2Circles, tree.n_map * sizeof *tree.mapNode2Circles)};
+    memcpy(bench_case->buffers, buffers, sizeof buffers);
     tree2d_free(&tree);
     return 0;
 }
@@ -85,8 +62,8 @@ static int prepare_tiles(Case2D *bench_case, const ClSetup *cl)
     if (circle_tree_build(bench_case->scene, limits, &tree) != 0) {
         return -1;
     }
-    bench_case->d_tile_nodes = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
-    bench_case->d_leaf_circles =
+    bench_case->buffers[0] = cl_buffer_create(cl, tree.nodes, tree.n_nodes * sizeof *tree.nodes);
+    bench_case->buffers[1] =
         cl_buffer_create(cl, tree.leaf_circles, tree.n_leaf_circles * sizeof *tree.leaf_circles);
     bench_case->d_pixels = pixels_create(cl, bench_case->scene->width, bench_case->scene->height);
     circle_tree_free(&tree);
@@ -142,27 +119,18 @@ static void set_arguments(const Case2D *bench_case, cl_mem d_image)
 {
     cl_kernel kernel = bench_case->kernel;
     const Scene2D *scene = bench_case->scene;
-    cl_uint next = 0;
-    if (bench_case->kind == NAIVE || bench_case->kind == KDTREE) {
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_circles));
+    const cl_mem picture = bench_case->kind == TILES ? bench_case->d_pixels : d_image;
+    int n_buffers = 0;
+    while (n_buffers < MAX_BUFFERS && bench_case->buffers[n_buffers] != NULL) {
+        n_buffers++;
     }
-    if (bench_case->kind == TILES) {
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_tile_nodes));
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_leaf_circles));
-        d_image = bench_case->d_pixels;
-    }
+    cl_uint next = kernel_set_buffers(kernel, 0, bench_case->buffers, n_buffers);
     if (bench_case->kind == NAIVE) {
         CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->n_circles, &scene->n_circles));
     }
-    if (bench_case->kind == KDTREE) {
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_nodes_Relations));
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_nodes_flag));
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_nodes_BBox));
-        CL_CHECK(clSetKernelArg(kernel, next++, sizeof(cl_mem), &bench_case->d_mapNode2Circles));
-    }
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->width, &scene->width));
     CL_CHECK(clSetKernelArg(kernel, next++, sizeof scene->height, &scene->height));
-    CL_CHECK(clSetKernelArg(kernel, next++, sizeof d_image, &d_image));
+    next = kernel_set_buffers(kernel, next, &picture, 1);
     CL_CHECK(clSetKernelArg(kernel, next, sizeof(cl_mem), NULL));  // nothing is counted
 }
 
@@ -186,7 +154,7 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
     }
     bench_case->kernel = kernel_create(programs[bench_case->kind], KERNELS[bench_case->kind].name);
     if (bench_case->kind == NAIVE || bench_case->kind == KDTREE) {
-        bench_case->d_circles =
+        bench_case->buffers[0] =
             cl_buffer_create(cl, scene->circles, (size_t)scene->n_circles * sizeof *scene->circles);
     }
     if ((bench_case->kind == KDTREE && prepare_tree(bench_case, cl) != 0) ||
@@ -200,18 +168,9 @@ int case2d_prepare(Case2D *bench_case, const ClSetup *cl, const cl_program *prog
 
 void case2d_free(Case2D *bench_case)
 {
-    cl_mem buffers[] = {bench_case->d_circles,         bench_case->d_nodes_Relations,
-                        bench_case->d_nodes_flag,      bench_case->d_nodes_BBox,
-                        bench_case->d_mapNode2Circles, bench_case->d_tile_nodes,
-                        bench_case->d_leaf_circles,    bench_case->d_pixels};
-    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++) {
-        if (buffers[i] != NULL) {
-            CL_CHECK(clReleaseMemObject(buffers[i]));
-        }
-    }
-    if (bench_case->kernel != NULL) {
-        CL_CHECK(clReleaseKernel(bench_case->kernel));
-    }
+    cl_memory_release(bench_case->buffers, MAX_BUFFERS);
+    cl_memory_release(&bench_case->d_pixels, 1);
+    kernels_free(&bench_case->kernel, 1);
     circle_tree_free(&bench_case->circles);
     free(bench_case->h_pixels);
 }

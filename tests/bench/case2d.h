@@ -24,6 +24,8 @@ typedef enum Case2DKind {
 // "naive", "kd-tree", "tiles", "painter", "cairo": as the CSV file and messages call them.
 extern const char *const CASE2D_NAMES[N_CASE2D_KINDS];
 
+enum { MAX_BUFFERS = 5 };
+
 typedef struct Case2D {
     Case2DKind kind;
     const Scene2D *scene;  // kept by the caller
@@ -33,14 +35,9 @@ typedef struct Case2D {
                  // nearly the same
 
     cl_kernel kernel;  // with its arguments set
-    cl_mem d_circles;
-    cl_mem d_nodes_Relations;  // these four: KDTREE only
-    cl_mem d_nodes_flag;
-    cl_mem d_nodes_BBox;
-    cl_mem d_mapNode2Circles;
-    cl_mem d_tile_nodes;  // these three: TILES only
-    cl_mem d_leaf_circles;
-    cl_mem d_pixels;
+    cl_mem
+        buffers[MAX_BUFFERS];  // its first arguments: the circles, the tree; NULL behind the last
+    cl_mem d_pixels;           // TILES only
 
     CircleTree circles;  // these three: PAINTER and CAIRO only; one leaf with all circles
     u32 *h_pixels;       // [height * width]
@@ -48,8 +45,7 @@ typedef struct Case2D {
 } Case2D;
 
 // The programs, compiled. Returns 0, or -1 after one message. Release with programs_free().
-int programs_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS]);
-void programs_free(cl_program programs[N_CASE2D_KINDS]);
+int programs2d_build(const ClSetup *cl, cl_program programs[N_CASE2D_KINDS]);
 
 // Make a case ready to be drawn: builds the tree, copies scene and tree to the device, and runs
 // one work-group, so that the driver has finished compiling before anything is timed.

@@ -26,15 +26,11 @@ const char *const RENDERER_NAMES[N_RENDERERS] = {
 #define TESTS_A_THREAD 1e9
 
 // SPHERES_OPTIONS and TRACE_OPTIONS come from the Makefile, as KERNEL_OPTIONS does in the labs.
-static const struct ProgramRow {
-    const char *path;
-    const char *options;
-    const char *kernel;
-} PROGRAMS[N_PROGRAMS] = {
+static KernelRow PROGRAMS[N_PROGRAMS] = {
     [NAIVE] = {"solutions/05-spheres/render_spheres.cl", SPHERES_OPTIONS, "render_spheres"},
     [KDTREE] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS, "render_kdtree"},
     [BY_COST] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS, "render_kdtree"},
-    // Its options depend on the device: see tile_shape().
+    // Its options depend on the device.
     [TILES] = {"solutions/10-realtime/render_tiles.cl", NULL, "render_tiles"},
     [COUNTING] = {"solutions/07-kdtree-3d-trace/render_kdtree.cl", TRACE_OPTIONS " -DCOUNT_WORK",
                   "render_kdtree"},
@@ -42,23 +38,8 @@ static const struct ProgramRow {
 
 int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS])
 {
-    for (int i = 0; i < N_PROGRAMS; i++) {
-        const char *options = i == TILES ? tile_shape(cl->device).options : PROGRAMS[i].options;
-        programs[i] = cl_setup_build(cl, PROGRAMS[i].path, options);
-        if (programs[i] == NULL) {
-            return -1;
-        }
-    }
-    return 0;
-}
-
-void programs3d_free(cl_program programs[N_PROGRAMS])
-{
-    for (int i = 0; i < N_PROGRAMS; i++) {
-        if (programs[i] != NULL) {
-            CL_CHECK(clReleaseProgram(programs[i]));
-        }
-    }
+    PROGRAMS[TILES].options = tile_shape(cl->device).options;
+    return programs_build(cl, PROGRAMS, N_PROGRAMS, programs);
 }
 
 // ---- The naive kernel's share ---------------------------------------------------------------
@@ -214,7 +195,7 @@ static void count_work(Case3D *bench_case, const ClSetup *cl, cl_kernel counting
 
 static cl_kernel create_kernel(const Case3D *bench_case, const cl_program *programs, int program)
 {
-    cl_kernel kernel = kernel_create(programs[program], PROGRAMS[program].kernel);
+    cl_kernel kernel = kernel_create(programs[program], PROGRAMS[program].name);
     if (program != TILES) {
         scene_buffers_set(&bench_case->buffers, &bench_case->scene, kernel);
     }
@@ -267,11 +248,7 @@ int case3d_prepare(Case3D *bench_case, const ClSetup *cl, const cl_program *prog
 
 void case3d_free(Case3D *bench_case)
 {
-    for (int i = 0; i < N_KERNELS; i++) {
-        if (bench_case->kernels[i] != NULL) {
-            CL_CHECK(clReleaseKernel(bench_case->kernels[i]));
-        }
-    }
+    kernels_free(bench_case->kernels, N_KERNELS);
     tree_buffers_free(&bench_case->trees[KDTREE]);
     tree_buffers_free(&bench_case->trees[BY_COST]);
     tile_buffers_free(&bench_case->tiles);

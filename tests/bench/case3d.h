@@ -66,9 +66,8 @@ typedef struct Case3D {
     WorkOfRay work;  // in lab 06's tree
 } Case3D;
 
-// Compile the programs. Returns 0, or -1 after one message. Release with programs3d_free().
+// Compile the programs. Returns 0, or -1 after one message. Release with programs_free().
 int programs3d_build(const ClSetup *cl, cl_program programs[N_PROGRAMS]);
-void programs3d_free(cl_program programs[N_PROGRAMS]);
 
 // Make a zeroed case with a scene_name ready to be drawn: opens the scene, builds the trees, copies
 // all to the device, counts the work of the rays, and runs a first work-group of each kernel, so

@@ -18,6 +18,45 @@ int device_units(const ClSetup *cl)
     return (int)n_units;
 }
 
+int programs_build(const ClSetup *cl, const KernelRow *rows, int n, cl_program *programs)
+{
+    for (int i = 0; i < n; i++) {
+        if (rows[i].path != NULL) {
+            programs[i] = cl_setup_build(cl, rows[i].path, rows[i].options);
+            if (programs[i] == NULL) {
+                return -1;
+            }
+        }
+    }
+    return 0;
+}
+
+void programs_free(cl_program *programs, int n)
+{
+    for (int i = 0; i < n; i++) {
+        if (programs[i] != NULL) {
+            CL_CHECK(clReleaseProgram(programs[i]));
+        }
+    }
+}
+
+void kernels_free(cl_kernel *kernels, int n)
+{
+    for (int i = 0; i < n; i++) {
+        if (kernels[i] != NULL) {
+            CL_CHECK(clReleaseKernel(kernels[i]));
+        }
+    }
+}
+
+cl_uint kernel_set_buffers(cl_kernel kernel, cl_uint first, const cl_mem *buffers, int n)
+{
+    for (int i = 0; i < n; i++) {
+        CL_CHECK(clSetKernelArg(kernel, first++, sizeof buffers[i], &buffers[i]));
+    }
+    return first;
+}
+
 cl_kernel kernel_create(cl_program program, const char *name)
 {
     cl_int error;

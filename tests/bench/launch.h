@@ -17,8 +17,27 @@ int device_is_cpu(const ClSetup *cl);
 // How many compute units the device has; on a CPU that is threads.
 int device_units(const ClSetup *cl);
 
-// Create a kernel of a program. Release it with clReleaseKernel().
+// A kernel: its file, the build's options, its name.
+typedef struct KernelRow {
+    const char *path;
+    const char *options;
+    const char *name;
+} KernelRow;
+
+// Compile n rows that have a path. Returns 0, or -1 after one message. Release with
+// programs_free().
+int programs_build(const ClSetup *cl, const KernelRow *rows, int n, cl_program *programs);
+void programs_free(cl_program *programs, int n);
+
+// Create a kernel of a program. Release it with kernels_free().
 cl_kernel kernel_create(cl_program program, const char *name);
+
+// Release those of n kernels that are not NULL.
+void kernels_free(cl_kernel *kernels, int n);
+
+// Set n arguments of a kernel that are buffers, from the one with the number `first` on. Returns
+// the next number.
+cl_uint kernel_set_buffers(cl_kernel kernel, cl_uint first, const cl_mem *buffers, int n);
 
 // Queue a kernel over the pixels from (x, y) to (x + width - 1, y + height - 1), in work-groups of
 // GROUP_SIZE x GROUP_SIZE; width and height are rounded up to whole ones.

@@ -28,14 +28,12 @@ static const double AMBIGUOUS_SHARES[N_MIRROR_NUMBERS] = {MAX_AMBIGUOUS_SHARE, 1
 // As the CSV file and messages call them.
 static const char *const NAMES[N_LIT_RENDERERS] = {[LIT_RAYS] = "kd-tree", [LIT_TILES] = "tiles"};
 
-// The kernels, by LitRenderer.
-static const char *const PATHS[N_LIT_RENDERERS] = {
-    [LIT_RAYS] = "solutions/09-shadows-and-mirrors/render_mirrors.cl",
-    [LIT_TILES] = "solutions/10-realtime/render_lit_tiles.cl",
-};
-static const char *const KERNELS[N_LIT_RENDERERS] = {
-    [LIT_RAYS] = "render_mirrors",
-    [LIT_TILES] = "render_lit_tiles",
+// The kernels, by LitRenderer. MIRRORS_OPTIONS comes from the Makefile.
+static KernelRow KERNELS[N_LIT_RENDERERS] = {
+    [LIT_RAYS] = {"solutions/09-shadows-and-mirrors/render_mirrors.cl", MIRRORS_OPTIONS,
+                  "render_mirrors"},
+    // Its options depend on the device.
+    [LIT_TILES] = {"solutions/10-realtime/render_lit_tiles.cl", NULL, "render_lit_tiles"},
 };
 
 // Set all arguments of a kernel, as the lab's main.c does.
@@ -68,50 +66,33 @@ static void enqueue(const LitFrame *frame, const ClSetup *cl, LitRenderer render
     }
 }
 
-// The kernels of all frames that one renderer draws. Returns 0, or -1 after one message.
-static int prepare_renderer(LitFrame *frames, const ClSetup *cl, const Case3D *bench_case,
-                            LitRenderer renderer)
-{
-    // MIRRORS_OPTIONS comes from the Makefile.
-    const char *options = renderer == LIT_TILES ? tile_shape(cl->device).options : MIRRORS_OPTIONS;
-    cl_program program = cl_setup_build(cl, PATHS[renderer], options);
-    if (program == NULL) {
-        return -1;
-    }
-    for (int i = 0; i < N_LIT_FRAMES; i++) {
-        frames[i].kernels[renderer] = kernel_create(program, KERNELS[renderer]);
-        set_arguments(&frames[i], renderer, bench_case);
-        // The driver may compile at the first launch.
-        enqueue(&frames[i], cl, renderer, GROUP_SIZE);
-    }
-    CL_CHECK(clFinish(cl->queue));
-    CL_CHECK(clReleaseProgram(program));
-    return 0;
-}
-
 int lit_frames_prepare(LitFrame frames[N_LIT_FRAMES], const ClSetup *cl, const Case3D *bench_case)
 {
-    for (int i = 0; i < N_LIT_FRAMES; i++) {
-        frames[i].side = SIDES[i / N_MIRROR_NUMBERS];
-        frames[i].n_mirrors = i % N_MIRROR_NUMBERS;
-        snprintf(frames[i].name, sizeof frames[i].name, "%s, %dx%d, mirrors: %d",
-                 bench_case->scene_name, frames[i].side, frames[i].side, frames[i].n_mirrors);
+    cl_program programs[N_LIT_RENDERERS] = {NULL};
+    KERNELS[LIT_TILES].options = tile_shape(cl->device).options;
+    const int result = programs_build(cl, KERNELS, N_LIT_RENDERERS, programs);
+    for (int i = 0; i < N_LIT_FRAMES && result == 0; i++) {
+        LitFrame *frame = &frames[i];
+        frame->side = SIDES[i / N_MIRROR_NUMBERS];
+        frame->n_mirrors = i % N_MIRROR_NUMBERS;
+        snprintf(frame->name, sizeof frame->name, "%s, %dx%d, mirrors: %d", bench_case->scene_name,
+                 frame->side, frame->side, frame->n_mirrors);
+        for (int renderer = 0; renderer < N_LIT_RENDERERS; renderer++) {
+            frame->kernels[renderer] = kernel_create(programs[renderer], KERNELS[renderer].name);
+            set_arguments(frame, renderer, bench_case);
+            // The driver may compile at the first launch.
+            enqueue(frame, cl, renderer, GROUP_SIZE);
+        }
     }
-    int result = 0;
-    for (int renderer = 0; renderer < N_LIT_RENDERERS && result == 0; renderer++) {
-        result = prepare_renderer(frames, cl, bench_case, renderer);
-    }
+    CL_CHECK(clFinish(cl->queue));
+    programs_free(programs, N_LIT_RENDERERS);
     return result;
 }
 
 void lit_frames_free(LitFrame frames[N_LIT_FRAMES])
 {
     for (int i = 0; i < N_LIT_FRAMES; i++) {
-        for (int renderer = 0; renderer < N_LIT_RENDERERS; renderer++) {
-            if (frames[i].kernels[renderer] != NULL) {
-                CL_CHECK(clReleaseKernel(frames[i].kernels[renderer]));
-            }
-        }
+        kernels_free(frames[i].kernels, N_LIT_RENDERERS);
     }
 }
 

@@ -3,12 +3,12 @@
 //
 // The kernels are those of the solutions, each with its own tree. Their pictures are compared
 // before any figure is printed.
-// Read next: measurements.h.
+// Read next: bench.h.
 #ifndef BENCH_LIT_FRAMES_H
 #define BENCH_LIT_FRAMES_H
 
+#include "bench.h"
 #include "case3d.h"
-#include "measurements.h"
 
 typedef enum LitRenderer {
     LIT_RAYS,   // lab 09's kernel with the tree of lab 06

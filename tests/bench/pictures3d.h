@@ -1,12 +1,12 @@
 // Do the naive kernel, the kd-tree kernel with either tree, the tiles and each of Embree's calls
 // draw the same picture? Asked before any figure is printed.
 //
-// Read next: measurements.h.
+// Read next: bench.h.
 #ifndef BENCH_PICTURES3D_H
 #define BENCH_PICTURES3D_H
 
+#include "bench.h"
 #include "case3d.h"
-#include "measurements.h"
 
 // A picture of each renderer, and whether there are Embree's.
 typedef struct Pictures3D {

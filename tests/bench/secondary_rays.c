@@ -101,14 +101,12 @@ static int make_list(RayList *list, const ClSetup *cl, const Case3D *bench_case,
 static void set_arguments(const RayList *list, const Case3D *bench_case)
 {
     const TreeBuffers *tree = &bench_case->trees[KDTREE];
-    const cl_mem d_spheres = bench_case->buffers.d_spheres;
-    CL_CHECK(clSetKernelArg(list->kernel, 0, sizeof d_spheres, &d_spheres));
-    CL_CHECK(clSetKernelArg(list->kernel, 1, sizeof tree->d_nodes, &tree->d_nodes));
-    CL_CHECK(clSetKernelArg(list->kernel, 2, sizeof tree->d_sphere_ids, &tree->d_sphere_ids));
+    const cl_mem buffers[] = {bench_case->buffers.d_spheres, tree->d_nodes, tree->d_sphere_ids};
+    kernel_set_buffers(list->kernel, 0, buffers, 3);
     CL_CHECK(clSetKernelArg(list->kernel, 3, sizeof tree->bounds, &tree->bounds));
-    CL_CHECK(clSetKernelArg(list->kernel, 4, sizeof list->d_rays, &list->d_rays));
+    kernel_set_buffers(list->kernel, 4, &list->d_rays, 1);
     CL_CHECK(clSetKernelArg(list->kernel, 5, sizeof list->n_rays, &list->n_rays));
-    CL_CHECK(clSetKernelArg(list->kernel, 6, sizeof list->d_answers, &list->d_answers));
+    kernel_set_buffers(list->kernel, 6, &list->d_answers, 1);
 }
 
 // Search the first n_rays rays, rounded up to whole work-groups, and wait for the answers.
@@ -177,9 +175,7 @@ void secondary_rays_free(SecondaryRays *secondary)
         RayList *list = &secondary->lists[kind];
         const cl_mem memory[] = {list->d_rays, list->d_answers};
         cl_memory_release(memory, sizeof memory / sizeof *memory);
-        if (list->kernel != NULL) {
-            CL_CHECK(clReleaseKernel(list->kernel));
-        }
+        kernels_free(&list->kernel, 1);
         free(list->rays);
         free(list->answers);
         free(list->other_answers);

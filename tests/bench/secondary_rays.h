@@ -8,9 +8,9 @@
 #ifndef BENCH_SECONDARY_RAYS_H
 #define BENCH_SECONDARY_RAYS_H
 
+#include "bench.h"
 #include "case3d.h"
 #include "embree_peer.h"
-#include "measurements.h"
 #include "secondary_ray.h"
 #include "shadow_tiles.h"
 

@@ -3,7 +3,7 @@
 #
 #     tests/bench/tables.sh [FOLDER]
 #
-# FOLDER (build/bench) holds the CSV files of one or more benches (measurements.h). Prints the tables of
+# FOLDER (build/bench) holds the CSV files of one or more benches (bench.h). Prints the tables of
 # tables.sql, and writes its medians into medians.tsv and the plots beside it. Run it in the top folder.
 set -e
 folder=${1:-build/bench}

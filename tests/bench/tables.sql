@@ -1,4 +1,4 @@
--- What the benches have measured (measurements.h), as tables: medians with the smallest and the largest
+-- What the benches have measured (bench.h), as tables: medians with the smallest and the largest
 -- value, ratios, from how many spheres on a tree pays, and how builds grow.
 --
 -- Started by tables.sh, which fills the table `measured`. A ratio is the median of the rounds' ratios, as

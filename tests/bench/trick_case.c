@@ -97,14 +97,13 @@ static void set_circles(const TrickCase *trick_case, const Trick *trick, cl_kern
 {
     const cl_int side = TRICK_SIDE;
     const int hidden = trick->has_hidden_circles;
-    const cl_mem *d_nodes = hidden ? &trick_case->d_hidden_nodes : &trick_case->d_nodes;
-    const cl_mem *d_circles = hidden ? &trick_case->d_hidden_circles : &trick_case->d_leaf_circles;
-    const cl_mem *picture = trick->has_image ? &trick_case->d_image : &trick_case->d_pixels;
-    CL_CHECK(clSetKernelArg(kernel, 0, sizeof *d_nodes, d_nodes));
-    CL_CHECK(clSetKernelArg(kernel, 1, sizeof *d_circles, d_circles));
+    const cl_mem tree[] = {hidden ? trick_case->d_hidden_nodes : trick_case->d_nodes,
+                           hidden ? trick_case->d_hidden_circles : trick_case->d_leaf_circles};
+    kernel_set_buffers(kernel, 0, tree, 2);
     CL_CHECK(clSetKernelArg(kernel, 2, sizeof side, &side));
     CL_CHECK(clSetKernelArg(kernel, 3, sizeof side, &side));
-    CL_CHECK(clSetKernelArg(kernel, 4, sizeof *picture, picture));
+    kernel_set_buffers(kernel, 4, trick->has_image ? &trick_case->d_image : &trick_case->d_pixels,
+                       1);
     CL_CHECK(clSetKernelArg(kernel, 5, sizeof(cl_mem), NULL));  // nothing is counted
 }
 
@@ -161,11 +160,7 @@ void trick_case_free(TrickCase *trick_case)
                              trick_case->d_hidden_nodes, trick_case->d_hidden_circles,
                              trick_case->d_pixels,       trick_case->d_image};
     cl_memory_release(memory, sizeof memory / sizeof *memory);
-    for (int i = 0; i < MAX_TRICKS; i++) {
-        if (trick_case->kernels[i] != NULL) {
-            CL_CHECK(clReleaseKernel(trick_case->kernels[i]));
-        }
-    }
+    kernels_free(trick_case->kernels, MAX_TRICKS);
     tile_buffers_free(&trick_case->tiles);
     tile_buffers_free(&trick_case->small_leaves);
     scene2d_free(&trick_case->circles);

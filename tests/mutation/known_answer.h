@@ -1,7 +1,7 @@
 // Known answers: right ones and wrong ones, in two files a lab, each as edits of the solution with
 // what must become of it (tests/known/README.md).
 //
-// Used by mutants.c, pairs.c, known.c and copies/given.c. Read next: edits.h, groups.h.
+// Used by mutants.c, known.c and copies/given.c. Read next: edits.h, groups.h.
 #ifndef MUTATION_KNOWN_ANSWER_H
 #define MUTATION_KNOWN_ANSWER_H
 

@@ -189,6 +189,8 @@ rmdir "$class/Dora Roe_25_assignsubmission_file_"
 changes "23,gradient,+5,\"right idea, =1+1\"," 24,,,ill,2026-12-24
 check "without it" exits 0 corrected
 
+heart_ends
+
 # ---- Given back ----------------------------------------------------------------------------------
 
 feedback() {

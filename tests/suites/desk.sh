@@ -82,13 +82,16 @@ saved() {
 }
 # last WORDS: are they in what was printed since the last round began?
 last() { awk '/^---- /{text = ""} {text = text "\n" $0} END {print text}' "$log" | grep -qF -- "$1" || { tail -n 40 "$log"; return 1; }; }
-by_renaming() { cp "$right" "$file.new" && mv "$file.new" "$file"; }
-with_a_typo() { sed -i 's/uint offset/uint begin/' "$file"; }
-last_missing() { sed 's/i <= n_circles/i < n_circles/' "$right" >"$file"; }
+# write FILE: save what standard input holds, by renaming: of a file that is written in its place the watch may see a part
+# for so long, on a busy machine, that it begins a round with it.
+write() { cat >"$1.new" && mv "$1.new" "$1"; }
+as_solved() { write "$file" <"$right"; }
+with_a_typo() { sed 's/uint offset/uint begin/' "$right" | write "$file"; }
+last_missing() { sed 's/i <= n_circles/i < n_circles/' "$right" | write "$file"; }
 
 await done_after 0
 check "it begins with a verdict" last "Score 0/100"
-saved by_renaming
+saved as_solved
 check "a save by renaming is seen, and its picture is right" last "the picture is as it should be"
 check "it is graded" last "Score 100/100"
 check "without a driver first" last "   judged in "
@@ -97,7 +100,7 @@ check "what was gained is told" last "+15  leaf-random"
 check "the page shows it" grep -q '100 <small>of 100' build/watch/index.html
 heart_done=$(rounds)
 touch "$file"
-cp "$right" "$file"
+as_solved
 saved with_a_typo
 check "the same bytes again are no save" [ "$(rounds)" -eq $((heart_done + 1)) ]
 check "what does not compile is named at once" last "does not compile"
@@ -127,7 +130,33 @@ saved eval 'printf h >&3'
 check "h shows a hint" last "1 of 4  "
 check "a second watch is refused" says "one runs here already" build/tools/desk watch --lab "$lab"
 
-two_wrong() { sed -e 's/i <= n_circles/i < n_circles/' -e 's/x < box.maxX/x <= box.maxX/' "$right" >"$file"; }
+check "VS Code sees when a round begins and ends" [ "$(matched watch beginsPattern <"$log" | wc -l) $(matched watch endsPattern <"$log" | wc -l)" = \
+    "$(rounds) $(offers)" ]
+
+kill -INT "$watch"
+wait "$watch"
+ok $? "Ctrl-C ends it" "$(tail -n 5 "$log")"
+nothing_is_left() { [ -z "$(ls -A "$TMPDIR")" ] && ! pgrep -f "$course" >/dev/null; }
+await nothing_is_left
+ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
+heart_ends
+
+# ---- Two judges, and two saves ------------------------------------------------------------------------
+
+# begin_watch LAB OPTION...: another one.
+begin_watch() {
+    : >"$log"
+    build/tools/desk watch --lab "$@" <keys >"$log" 2>&1 &
+    watch=$!
+    exec 3>keys
+    await done_after 0
+}
+end_watch() {
+    printf q >&3
+    wait "$watch"
+}
+begin_watch "$lab" --native build/native
+two_wrong() { sed -e 's/i <= n_circles/i < n_circles/' -e 's/x < box.maxX/x <= box.maxX/' "$right" | write "$file"; }
 saved two_wrong
 check "a later task that failed, too, is marked as the first one" \
     [ "$(grep -o 'check failed' build/watch/index.html | wc -l)" -eq 2 ]
@@ -138,54 +167,33 @@ wrong_natively() { sed 's/i <= n_circles/i < n_circles + (NATIVELY == 0)/' "$rig
 #define NATIVELY 1\
 #else\
 #define NATIVELY 0\
-#endif' >"$file"; }
+#endif' | write "$file"; }
 saved wrong_natively
 check "where PoCL judges otherwise, that is said" last "PoCL judges otherwise, and that counts"
 check "with what it found" last "Score 100/100"
 check "and what is another verdict" last "+15  leaf-random"
 check "and it counts" says "100/100" make -s progress
-lacking() { sed 's/const int y = get_global_id(1);/& mem_fence(CLK_GLOBAL_MEM_FENCE);/' "$right" >"$file"; }
+lacking() { sed 's/const int y = get_global_id(1);/& mem_fence(CLK_GLOBAL_MEM_FENCE);/' "$right" | write "$file"; }
 saved lacking
 check "what cannot be compiled without a driver is graded by PoCL" last "Score 100/100"
 check "without a word" sh -c "! tail -n 20 '$log' | grep -e 'judged in' -e 'PoCL' -e symbol"
 
-# Two saves, the second while the first one is graded: the last one has its verdict.
+# Two saves, the second while the first one is graded, which needs seconds of processor time for an endless loop: the last
+# one has its verdict.
 before=$(offers)
 rounds_before=$(rounds)
-sed 's/color = /color = 1 - /' "$right" >"$file"
+sed 's/const int y = get_global_id(1);/& for (;;) { }/' "$right" | write "$file"
 more_rounds() { [ "$(rounds)" -gt "$rounds_before" ]; }
 await more_rounds
-cp "$right" "$file"
+as_solved
 await done_after "$before"
 check "a save in the middle of a round ends it" [ "$(grep -c 'not graded to its end' "$log")" -ge 1 ]
 check "and is not missed" last "Score 100/100"
-
-check "VS Code sees when a round begins and ends" [ "$(matched watch beginsPattern <"$log" | wc -l) $(matched watch endsPattern <"$log" | wc -l)" = \
-    "$(rounds) $(offers)" ]
-
-kill -INT "$watch"
-wait "$watch"
-ok $? "Ctrl-C ends it" "$(tail -n 5 "$log")"
-nothing_is_left() { [ -z "$(ls -A "$TMPDIR")" ] && ! pgrep -f "$course" >/dev/null; }
-await nothing_is_left
-ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
 check "what was reached is noted" says "100/100" make -s progress
-heart_ends
+end_watch
 
 # ---- A host file ------------------------------------------------------------------------------------
 
-# begin_watch LAB: in a place of its own.
-begin_watch() {
-    : >"$log"
-    build/tools/desk watch --lab "$1" <keys >"$log" 2>&1 &
-    watch=$!
-    exec 3>keys
-    await done_after 0
-}
-end_watch() {
-    printf q >&3
-    wait "$watch"
-}
 host=labs/00-hello-pixels/render.c
 cp solutions/00-hello-pixels/gradient.cl labs/00-hello-pixels/
 cp solutions/00-hello-pixels/render.c "$host"
@@ -194,15 +202,16 @@ check "a lab of host files is watched" last "the picture is as it should be"
 touch -d '2 days ago' "$scratch/older"
 sed 's/^    \/\/ TASK read_back.*/    exit(0);\n&/' "$host" >"$scratch/exits.c"
 touch -r "$scratch/older" "$scratch/exits.c"
-saved cp -p "$scratch/exits.c" "$host"
+saved mv "$scratch/exits.c" "$host"
 check "a file with an older time is compiled, too" last "ends without a picture"
 check "and the page shows why it ended" grep -q "it ended by itself" build/watch/index.html
 saved mv "$host" "$scratch/away.c"
 check "a file that is gone is no program of before" last "does not compile"
 saved mkdir "$host"
 check "nor is a folder in its place" last "does not compile"
-rmdir "$host"
-saved cp solutions/00-hello-pixels/render.c "$host"
+saved rmdir "$host"
+host_back() { write "$host" <solutions/00-hello-pixels/render.c; }
+saved host_back
 check "it goes on when the file is back" last "Score 100/100"
 end_watch
 check "the page says that the watch has ended" grep -q "the watch has ended" build/watch/index.html
@@ -251,7 +260,8 @@ check "and it would have been seen" sh -c "build/labs/$other --size 8x8 --output
 for signal in TERM KILL; do
     build/tools/grade --lab 03 >/dev/null 2>&1 &
     grading=$!
-    has_begun() { [ -n "$(ls -A "$TMPDIR")" ]; }
+    # Its folders are made when who clears up behind it is there.
+    has_begun() { ls -d "$TMPDIR"/*/tree >/dev/null 2>&1; }
     await has_begun
     kill -$signal $grading
     wait $grading 2>/dev/null

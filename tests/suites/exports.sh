@@ -322,11 +322,11 @@ check "of whom all three are graded" said "3 of 3 graded"
 
 # ---- One student's many files ---------------------------------------------------------------------
 
-# read_soon SUBMISSIONS: is the folder read in a minute, where it once took many?
+# read_soon SUBMISSIONS: is the folder read in a minute of processor time, where it once took many?
 # shellcheck disable=SC2317 # called by check
 read_soon() {
     rm -rf "$scratch/soon" && mkdir "$scratch/soon"
-    exits 0 timeout 60 "$build/tools/gradebook" roster 0 "$1" "$scratch/soon" >"$scratch/said" 2>&1
+    exits 0 prlimit --cpu=60 "$build/tools/gradebook" roster 0 "$1" "$scratch/soon" >"$scratch/said" 2>&1
 }
 class=$scratch/many
 mkdir -p "$class/ada" "$class/bob"

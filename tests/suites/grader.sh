@@ -25,7 +25,7 @@ in_every_format() {
         [ ! -s "$said.err" ] && mkdir -p "$scratch/formats" && cp -R "$reports" "$scratch/formats/$1"
 }
 
-some="02-kdtree-2d-build 07-kdtree-3d-trace"
+some="02-kdtree-2d-build 03-kdtree-2d-render"
 
 # ---- Solutions and skeletons --------------------------------------------------------------------
 
@@ -100,38 +100,6 @@ check "two wrong answers have the points of the third task" grades 1 35 $(kept 0
 check "the first one's mistake is named" grep -q "left and right are swapped" "$said"
 check "and the second one's, found alone" grep -q "tested alone: random scene" "$said"
 check "with its cause" grep -q "red and blue swapped" "$said"
-
-# What ends the whole is told with the input it ended in, and what it comes from where that shows.
-copy_lab solutions 07-kdtree-3d-trace
-printf '    if (hit.t < at->t_max) {\n        return 0;\n    }\n    *at = todo_pop(todo);\n    return 1;\n' |
-    answer trace.cl next_waiting
-# shellcheck disable=SC2046,SC2086 # options
-check "a crash in one task costs its points" grades 1 86 $(kept 07) $submission
-check "its input is told" grep -q "where: in next_waiting, input [0-9]* of 400: .*and 0 nodes are waiting" "$said"
-check "and that nothing was there to be taken" grep -q "taken from an empty stack: nothing was waiting" "$said"
-ok "$(grep -c 'make memcheck' "$said")" "so memcheck need not tell" "$(cat "$said")"
-
-# Two more, of which the second one calls the first: beside a stand-in only its cause is said.
-copy_lab solutions 03-kdtree-2d-render
-for answer in left-right-swapped sixteen-levels; do
-    "$build/tools/known" put 03-kdtree-2d-render $answer "$scratch/submission"
-done
-# shellcheck disable=SC2046,SC2086 # options
-check "an answer beside a stand-in earns what it passes alone" grades 1 65 $(kept 03) $submission
-check "its mistake is named as by itself" \
-    grep -q '; tested alone: it looks drawn as if the search ended after a fixed number' "$reports/results.json"
-
-# Two of which neither comes to its end alone: it is said once, with the task in which the whole ended.
-copy_lab solutions 03-kdtree-2d-render
-printf '    return nodes_Relations[id + 0x7fffffff].id + (uint)(x + y);\n' |
-    answer implicit2DRenderer_KD.cl getContainingChild
-printf '    color = (float4)(circles[id + 0x7fffffff].r);\n' | answer implicit2DRenderer_KD.cl leaf_loop
-# shellcheck disable=SC2046,SC2086 # options
-check "two answers that crash leave the points of the third" grades 1 35 $(kept 03) $submission
-check "what does not come to its end alone says so" grep -q "tested alone, it crashes" "$reports/results.json"
-ok "$(grep -c "first, then grade again" "$reports/results.json")" "and sends to no other task" "$(cat "$said")"
-ok "$(grep -c 'tested alone, it crashes.*tested alone, it crashes' "$reports/results.json")" "and says it once" \
-    "$(cat "$said")"
 
 # ---- What make says ------------------------------------------------------------------------------
 
@@ -255,6 +223,40 @@ check "no bubblewrap: it says no more" test "$(wc -l <"$said.err")$(wc -c <"$sai
 check "no bubblewrap: there are no results" test ! -e "$reports"
 
 heart_ends
+
+# ---- What does not come to its end -----------------------------------------------------------------
+
+# What ends the whole is told with the input it ended in, and what it comes from where that shows.
+copy_lab solutions 07-kdtree-3d-trace
+printf '    if (hit.t < at->t_max) {\n        return 0;\n    }\n    *at = todo_pop(todo);\n    return 1;\n' |
+    answer trace.cl next_waiting
+# shellcheck disable=SC2046,SC2086 # options
+check "a crash in one task costs its points" grades 1 86 $(kept 07) $submission
+check "its input is told" grep -q "where: in next_waiting, input [0-9]* of 400: .*and 0 nodes are waiting" "$said"
+check "and that nothing was there to be taken" grep -q "taken from an empty stack: nothing was waiting" "$said"
+ok "$(grep -c 'make memcheck' "$said")" "so memcheck need not tell" "$(cat "$said")"
+
+# Two more, of which the second one calls the first: beside a stand-in only its cause is said.
+copy_lab solutions 03-kdtree-2d-render
+for answer in left-right-swapped sixteen-levels; do
+    "$build/tools/known" put 03-kdtree-2d-render $answer "$scratch/submission"
+done
+# shellcheck disable=SC2046,SC2086 # options
+check "an answer beside a stand-in earns what it passes alone" grades 1 65 $(kept 03) $submission
+check "its mistake is named as by itself" \
+    grep -q '; tested alone: it looks drawn as if the search ended after a fixed number' "$reports/results.json"
+
+# Two of which neither comes to its end alone: it is said once, with the task in which the whole ended.
+copy_lab solutions 03-kdtree-2d-render
+printf '    return nodes_Relations[id + 0x7fffffff].id + (uint)(x + y);\n' |
+    answer implicit2DRenderer_KD.cl getContainingChild
+printf '    color = (float4)(circles[id + 0x7fffffff].r);\n' | answer implicit2DRenderer_KD.cl leaf_loop
+# shellcheck disable=SC2046,SC2086 # options
+check "two answers that crash leave the points of the third" grades 1 35 $(kept 03) $submission
+check "what does not come to its end alone says so" grep -q "tested alone, it crashes" "$reports/results.json"
+ok "$(grep -c "first, then grade again" "$reports/results.json")" "and sends to no other task" "$(cat "$said")"
+ok "$(grep -c 'tested alone, it crashes.*tested alone, it crashes' "$reports/results.json")" "and says it once" \
+    "$(cat "$said")"
 
 # An endless loop: what it is at is on the terminal, and gone before the report.
 copy_lab solutions 02-kdtree-2d-build

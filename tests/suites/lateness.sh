@@ -120,6 +120,8 @@ check "is none" open "Finn Fox" \
 rm "$out/who.csv"
 worksheet "Tuesday, 24 November 2026, 8:15 AM"
 
+heart_ends
+
 # ---- More time, and corrections -----------------------------------------------------------------------
 
 cat >"$scratch/changes.csv" <<'END'

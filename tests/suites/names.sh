@@ -57,6 +57,8 @@ for variable in SUBMISSION SEED DEVICE TIME_LIMIT; do
     both_ways "make grade" 0 $variable "$hostile" --old-file=graded grade BUILD="$fake" LAB=00
 done
 both_ways "make grade" 0 LAB "$hostile" --old-file=graded grade BUILD="$fake"
+heart_ends
+
 for variable in SUBMISSION SEED TIME_LIMIT; do
     both_ways "make memcheck" 0 $variable "$hostile" --old-file=graded --old-file=memcheck-libraries --old-file="$fake/tools/memcheck" memcheck BUILD="$fake" LAB=00
 done
@@ -75,8 +77,6 @@ holds_on() { grep -qzF "found LAB=\"$text\", expected" "$said" || { cat "$said";
 for target in pixel view movie lab-grader; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" AT=1,1
 done
-heart_ends
-
 holds_on() { grep -qzF "found \"$text\"" "$said" || grep -qzF "and \"$text\"" "$said" || { cat "$said"; return 1; }; }
 for target in pack gradescope autolab prairielearn github gitlab vpl grade-class copies; do
     both_ways "make $target" 2 LAB "$hostile" $target BUILD="$build" SUBMISSIONS="$scratch"

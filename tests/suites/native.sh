@@ -1,12 +1,15 @@
 #!/bin/sh
 # Every known answer, compiled to native code and run without a device and a sandbox (tests/native): each
 # wrong one is caught by the check meant for it, with the right message; each right one earns all points.
-# In every lab or in LAB, with each of SEEDS seeds. What PoCL and the sandboxes do is the suite mutants'.
+# In every lab or in LAB, with each of SEEDS seeds. The heart is all right ones and every tenth wrong one, and one for each
+# check and each kind of mistake. What PoCL and the sandboxes do is the suite mutants'.
 . tests/tap.sh
 
 build=${BUILD:-build}
 export build scratch
 export seeds="${SEEDS:-1}"
+every=$(heart 10 1)
+export every
 
 # Processor time of a run, all its seeds together. Right answers take a twentieth; some wrong ones never end.
 export seconds="$((2 * seeds))"
@@ -15,7 +18,7 @@ export seconds="$((2 * seeds))"
 # shellcheck disable=SC2016 # they are another shell's variables
 wc -l tests/known/"${LAB:-}"*/wrong.diff | sort -rn | sed -n 's|.*tests/known/\([^/]*\)/.*|\1|p' |
     xargs -P "$(nproc)" -I NAME sh -c '
-        "$build/tools/mutants" --together --seeds "$seeds" --lab "$1" --seed 1 --build "$build/native" \
+        "$build/tools/mutants" --together --seeds "$seeds" --every "$every" --lab "$1" --seed 1 --build "$build/native" \
             --sandbox none --time-limit "$seconds" >"$scratch/$1.out" 2>"$scratch/$1.errors"
         echo $? >"$scratch/$1.status"' native NAME
 

@@ -92,6 +92,8 @@ check "which is the file's sum" said "Score 90/90"
 check "a seed of the command line counts before it" exits 0 grade solutions/$lab --manifest "$manifest" --seed 8
 check "and is told" test "$(value .seed)" = 8
 
+heart_ends
+
 # ---- Hidden ---------------------------------------------------------------------------------------
 
 # An answer whose wrong colour the checks of leaf_loop name, as nothing else does.
@@ -164,7 +166,6 @@ check "its page has them" grep -q $shown "$out/class.html"
 check "but not what goes back" exits 0 "$build/tools/gradebook" feedback folders "$out"
 check "to the student" hidden_in "$out"/feedback/*/* "$out/feedback.csv"
 
-heart_ends
 # ---- Hidden in a handout ----------------------------------------------------------------------------
 
 lab=03-kdtree-2d-render

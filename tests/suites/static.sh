@@ -21,8 +21,9 @@ written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e '^test
 by clang-format-19 "clang-format (make format mends it)" clang-format-19 --dry-run -Werror \
     --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' $written
 
+# In the heart with one set of macros for each file.
 # shellcheck disable=SC2046,SC2086
-by cppcheck "cppcheck" cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
+by cppcheck "cppcheck" cppcheck $(heart --max-configs=1 "") --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
     --enable=warning,performance,portability --suppress=missingIncludeSystem \
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
@@ -41,10 +42,11 @@ for source in $(echo "$sources" | grep '^labs/.*\.c$'); do
         -DLAB_NAME='""' -DLAB_FOLDER='""' -DKERNEL_OPTIONS='""' "$source"
 done
 
-# The OpenCL compiler of each clang that is here, with warnings, on every kernel, counting and not. PoCL is made of one,
+# The OpenCL compiler of each clang that is here (in the heart of the first), with warnings, on every kernel, counting and not. PoCL is made of one,
 # and prints what it says before a program's own output.
 clangs=$(for n in 14 15 16 17 18 19 20 21; do command -v clang-$n; done)
 [ -n "$clangs" ] || clangs=$(command -v clang)
+clangs=$(heart "${clangs%%[[:space:]]*}" "$clangs")
 # A file that others include is checked by itself, so its static functions have no caller.
 # A kernel's own folder comes first, so that the same name in another lab does no harm.
 sh tests/probes/no_macros.sh >"$scratch/no_macros.h"

@@ -77,19 +77,19 @@ matches_lab() {
 }
 
 # screen_shows OPTION...: is the lab's picture on the screen, where lab 07's window stands, whose size window.png has?
-# Another program looks, again and again for a minute, as the window has to come up first.
+# Another program looks, again and again, as the window has to come up first.
+is_on_screen() {
+    # shellcheck disable=SC2046 # two numbers
+    display_save "$out/screen.png" &&
+        crop "$out/screen.png" $(display_middle "$out/window.png") 317 211 "$out/screen-part.png" &&
+        said=$(compare "$out/screen-part.png" "$out/lab.png")
+}
 screen_shows() {
     "$build/view/solutions/07-kdtree-3d-trace" "$@" >/dev/null 2>&1 </dev/null &
-    window=$! shown=no said=
-    for _ in $(seq 60); do
-        sleep 1
-        # shellcheck disable=SC2046 # two numbers
-        display_save "$out/screen.png" &&
-            crop "$out/screen.png" $(display_middle "$out/window.png") 317 211 "$out/screen-part.png" &&
-            said=$(compare "$out/screen-part.png" "$out/lab.png") && shown=yes && break
-    done
+    window=$! shown=0 said=
+    await is_on_screen || shown=1
     kill $window && echo "$said"
-    [ $shown = yes ]
+    return $shown
 }
 check "lab 01: picture and heat map are the lab's" matches_lab 01 317x211 --scene random:n=50
 check "lab 03: picture and heat map are the lab's" matches_lab 03 317x211 --scene random:n=500

@@ -2,52 +2,12 @@
 #ifndef UNIT_MOLECULE_SAMPLES_H
 #define UNIT_MOLECULE_SAMPLES_H
 
+#define SCENE_NAME "molecule"
 #include "elements.h"
 #include "molecule.h"
-#include "surroundings.h"
+#include "scene_texts.h"
 
 #include <math.h>
-
-// Text with its length, so that it may hold NUL bytes.
-#define TEXT(literal) literal, sizeof(literal) - 1
-
-typedef int Read(FILE *file, const char *name, Scene3D *scene);
-
-static inline int read_text(Read *read, const char *text, size_t length, Scene3D *scene)
-{
-    *scene = (Scene3D){0};
-    FILE *file = tmpfile();
-    fwrite(text, 1, length, file);
-    rewind(file);
-    int result = read(file, "molecule", scene);
-    fclose(file);
-    return result;
-}
-
-// Read text that is good, and expect this warning, or "".
-static inline Scene3D read_good(Read *read, const char *text, const char *warning)
-{
-    Scene3D scene;
-    capture_begin(2);
-    int result = read_text(read, text, strlen(text), &scene);
-    const char *message = capture_end(2);
-    cr_assert_eq(result, 0, "%s", message);
-    cr_expect_str_eq(message, warning);
-    return scene;
-}
-
-static inline void expect_fault(Read *read, const char *text, size_t length, const char *fault)
-{
-    Scene3D scene;
-    char expected[256];
-    capture_begin(2);
-    int result = read_text(read, text, length, &scene);
-    const char *message = capture_end(2);
-    snprintf(expected, sizeof expected, "molecule:%s\n", fault);
-    cr_expect_str_eq(message, expected);
-    cr_expect_eq(result, -1, "was read: %s", fault);
-    cr_expect_null(scene.spheres);
-}
 
 static inline void expect_atom(const Scene3D *scene, int i, float x, float y, float z,
                                const char *symbol)

@@ -18,20 +18,20 @@ typedef struct Writer {
     size_t n_bytes;
 } Writer;
 
-static void writer_open(Writer *writer)
+static inline void writer_open(Writer *writer)
 {
     *writer = (Writer){0};
     writer->file = open_memstream(&writer->bytes, &writer->n_bytes);
     cr_assert_not_null(writer->file);
 }
 
-static Sections writer_close(Writer *writer)
+static inline Sections writer_close(Writer *writer)
 {
     fclose(writer->file);
     return (Sections){(unsigned char *)writer->bytes, writer->n_bytes};
 }
 
-static void answer(Writer *writer, const char *name, const void *bytes, size_t n_bytes)
+static inline void answer(Writer *writer, const char *name, const void *bytes, size_t n_bytes)
 {
     cr_assert_eq(section_write(writer->file, name, bytes, n_bytes), 0);
 }

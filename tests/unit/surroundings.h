@@ -120,4 +120,13 @@ static inline void expect_one_message(const char *message, const char *part)
     cr_expect_not_null(strstr(message, part), "no \"%s\" in \"%s\"", part, message);
 }
 
+static inline int message_follows(const char *part, int result)
+{
+    expect_one_message(capture_end(2), part);
+    return result;
+}
+
+// What a call returns that prints one such message on standard error.
+#define WITH_MESSAGE(part, call) (capture_begin(2), message_follows(part, call))
+
 #endif

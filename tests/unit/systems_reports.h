@@ -87,6 +87,13 @@ static char *text_of(const char *name)
     return text;
 }
 
+static inline int is_written(const char *name)
+{
+    char path[64];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return access(path, F_OK) == 0;
+}
+
 static inline json_t *json_of(const char *name)
 {
     char *text = text_of(name);

@@ -1,35 +1,12 @@
 // judge_03_alone, judge_05_alone, judge_07_alone, judge_09_alone and judge_10: nothing passes alone
 // without answers, or with answers of another size.
 #include "judge.h"
-
-#include <criterion/criterion.h>
-#include <stdlib.h>
-#include <string.h>
+#include "right_answers_sections.h"
 
 TestSuite(alone_trees);
 
 static const char *const lab_numbers[] = {"03", "05", "07", "09", "10"};
 enum { N_LABS = sizeof lab_numbers / sizeof *lab_numbers };
-
-// A file in memory that becomes sections.
-typedef struct Writer {
-    FILE *file;
-    char *bytes;
-    size_t n_bytes;
-} Writer;
-
-static void writer_open(Writer *writer)
-{
-    *writer = (Writer){0};
-    writer->file = open_memstream(&writer->bytes, &writer->n_bytes);
-    cr_assert_not_null(writer->file);
-}
-
-static Sections writer_close(Writer *writer)
-{
-    cr_assert_eq(fclose(writer->file), 0);
-    return (Sections){(unsigned char *)writer->bytes, writer->n_bytes};
-}
 
 static void *job_open(const Judge *judge)
 {

@@ -78,10 +78,7 @@ Test(cl_setup, the_variable_holds_where_no_device_is_given)
 {
     setenv(CL_DEVICE_VARIABLE, "no such device", 1);
     ClSetup setup;
-    capture_begin(2);
-    int result = cl_setup_open(NULL, &setup);
-    expect_one_message(capture_end(2), "no such device");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE("no such device", cl_setup_open(NULL, &setup)), -1);
     cr_expect_eq(cl_setup_open("0", &setup), 0, "the argument goes before the variable");
     cl_setup_close(&setup);
 }
@@ -97,10 +94,7 @@ Test(cl_setup, without_a_driver_the_message_says_what_to_do)
     expect_one_message(message, "make doctor");
     cr_expect_eq(result, -1);
 
-    capture_begin(2);
-    result = cl_setup_list(stdout);
-    expect_one_message(capture_end(2), "unset it");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE("unset it", cl_setup_list(stdout)), -1);
 }
 
 // Stands before the loader's own: where a test wants it, the device has a name of 300 letters.

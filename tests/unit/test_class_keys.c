@@ -30,9 +30,9 @@ static Keys keys_of(int first, int n, char version, const char *grader)
         fprintf(contents, "student-%d %063d%c\n", i, i, version);
     }
     rewind(contents);
-    capture_begin(2);
-    cr_assert_eq(class_keys_make(".", &five, grader, contents), 0);
-    expect_one_message(capture_end(2), "all seeds of this class follow from SEED=5");
+    cr_assert_eq(WITH_MESSAGE("all seeds of this class follow from SEED=5",
+                              class_keys_make(".", &five, grader, contents)),
+                 0);
     fclose(contents);
     FILE *file = fopen("keys", "r");
     cr_assert_not_null(file);
@@ -122,10 +122,9 @@ Test(class_keys, what_is_no_list_of_contents_is_refused)
     FILE *contents = tmpfile();
     fputs("a-slug-alone\n", contents);
     rewind(contents);
-    capture_begin(2);
-    const int result = class_keys_make(".", NULL, "grader", contents);
-    expect_one_message(capture_end(2), "expected a slug and a hash");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("expected a slug and a hash", class_keys_make(".", NULL, "grader", contents)),
+        -1);
     cr_expect_eq(access("keys", F_OK), -1);
     fclose(contents);
 }

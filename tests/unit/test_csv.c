@@ -130,10 +130,8 @@ Test(csv, bad_text_gives_one_message_with_its_line)
 {
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Scene2D scene;
-        capture_begin(2);
-        int result = read_text(BAD[i].text, BAD[i].length, &scene);
-        expect_one_message(capture_end(2), BAD[i].message);
-        cr_expect_eq(result, -1, "case %zu was read: %s", i, BAD[i].message);
+        cr_expect_eq(WITH_MESSAGE(BAD[i].message, read_text(BAD[i].text, BAD[i].length, &scene)),
+                     -1, "case %zu was read: %s", i, BAD[i].message);
         cr_expect_null(scene.circles);
     }
 }

@@ -43,10 +43,7 @@ Test(image, sizes_that_are_none)
     static const int SIZES[][2] = {{0, 4}, {4, 0}, {-1, 4}, {4, -1}};
     for (size_t i = 0; i < sizeof SIZES / sizeof SIZES[0]; i++) {
         Image image;
-        capture_begin(2);
-        int result = image_create(SIZES[i][0], SIZES[i][1], &image);
-        expect_one_message(capture_end(2), "positive");
-        cr_expect_eq(result, -1);
+        cr_expect_eq(WITH_MESSAGE("positive", image_create(SIZES[i][0], SIZES[i][1], &image)), -1);
         cr_expect_null(image.pixels);
     }
 }
@@ -57,10 +54,7 @@ Test(image, more_pixels_than_memory)
     SKIP_TEST("the address sanitizer ends the program where calloc() would return NULL");
 #endif
     Image image;
-    capture_begin(2);
-    int result = image_create(INT_MAX, INT_MAX, &image);
-    expect_one_message(capture_end(2), "no memory");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE("no memory", image_create(INT_MAX, INT_MAX, &image)), -1);
 }
 
 // ---- Files --------------------------------------------------------------------------------------
@@ -154,10 +148,8 @@ Test(image, what_cannot_be_saved_leaves_nothing)
     mkdir("folder.png", 0777);
     Image image = image_new(2, 2);
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
-        capture_begin(2);
-        int result = image_save(&image, BAD[i].path);
-        expect_one_message(capture_end(2), BAD[i].message);
-        cr_expect_eq(result, -1, "%s was saved", BAD[i].path);
+        cr_expect_eq(WITH_MESSAGE(BAD[i].message, image_save(&image, BAD[i].path)), -1,
+                     "%s was saved", BAD[i].path);
     }
     cr_expect_eq(folder_count(), 1);
     image_free(&image);
@@ -219,10 +211,7 @@ Test(image, what_cannot_be_loaded)
                                       "cut.exr"};
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Image image;
-        capture_begin(2);
-        int result = image_load(BAD[i], &image);
-        expect_one_message(capture_end(2), BAD[i]);
-        cr_expect_eq(result, -1, "%s was loaded", BAD[i]);
+        cr_expect_eq(WITH_MESSAGE(BAD[i], image_load(BAD[i], &image)), -1, "%s was loaded", BAD[i]);
         cr_expect_null(image.pixels);
     }
 }
@@ -236,11 +225,10 @@ Test(image, a_pipe_is_not_waited_for)
     alarm(60);
     for (size_t i = 0; i < sizeof PATHS / sizeof PATHS[0]; i++) {
         Image image;
-        capture_begin(2);
-        const int result = image_load(PATHS[i], &image);
-        expect_one_message(capture_end(2), ": cannot be read: found a pipe or a device, expected a "
-                                           "regular file");
-        cr_expect_eq(result, -1);
+        cr_expect_eq(WITH_MESSAGE(": cannot be read: found a pipe or a device, expected a "
+                                  "regular file",
+                                  image_load(PATHS[i], &image)),
+                     -1);
         cr_expect_null(image.pixels);
     }
 }
@@ -346,10 +334,9 @@ Test(image, the_difference_picture_is_black_where_equal_and_bright_where_not)
     image_free(&difference);
 
     Image other = image_new(2, 1);
-    capture_begin(2);
-    int result = image_difference_picture(&image, &other, &difference);
-    expect_one_message(capture_end(2), "expected the same");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("expected the same", image_difference_picture(&image, &other, &difference)),
+        -1);
     image_free(&image);
     image_free(&reference);
     image_free(&other);

@@ -123,7 +123,7 @@ LAB_TEST(judges, a_job_that_cannot_be_written_is_none)
 
 LAB_TEST(judges, right_answers_pass)
 {
-    for (uint64_t seed = 1; seed <= 3; seed++) {
+    for (uint64_t seed = 1; seed <= (uint64_t)heart(1, 3); seed++) {
         Open open = job_open(*lab, seed);
         Sections answers = right_answers(lab_names[*lab], open.seed);
         for (int adopted = 0; adopted <= 1; adopted++) {

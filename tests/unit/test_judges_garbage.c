@@ -61,7 +61,7 @@ LAB_TEST(judges_garbage, a_section_of_a_wrong_size_is_missing)
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     for (int victim = 0; victim < n; victim++) {
-        const int step = is_one_of_many(&list[victim]) ? N_DAMAGES : 1;
+        const int step = is_one_of_many(&list[victim]) ? N_DAMAGES : heart(N_DAMAGES, 1);
         for (int damage = turn(victim, step); damage < N_DAMAGES; damage += step) {
             // Where nothing is right: a list of no ids, or that a tree was refused.
             if (list[victim].n_bytes == 0 && (damage == EMPTY || damage == TRUNCATED)) {
@@ -153,7 +153,7 @@ LAB_TEST(judges_garbage, garbage_passes_no_check)
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     Random random = {4};
-    for (int kind = 0; kind < N_KINDS; kind++) {
+    for (int kind = heart(*lab % N_KINDS, 0); kind < N_KINDS; kind += heart(N_KINDS, 1)) {
         Sections bad = garbled(list, n, -1, kind, &random);
         for (int i = 0; i < open.judge->n_checks; i++) {
             const JudgeCheck *check = &open.judge->checks[i];
@@ -205,8 +205,8 @@ LAB_TEST(judges_garbage, garbage_in_one_section_is_noticed)
     Random random = {6};
     int first = 0;
     for (int victim = 0; victim < n; victim++) {
-        // Three kinds a section, others for the next.
-        const int step = is_one_of_many(&list[victim]) ? N_KINDS : 3;
+        // Three kinds a section, or one, others for the next.
+        const int step = is_one_of_many(&list[victim]) ? N_KINDS : heart(N_KINDS, 3);
         for (int kind = turn(victim, step); kind < N_KINDS; kind += step) {
             // Zeros are the right picture of a scene without circles.
             if (kind == ZEROS || is_free_section(*lab, list[victim].name)) {
@@ -315,7 +315,7 @@ LAB_TEST(judges_garbage, one_wrong_word_is_noticed)
         const int is_scene = *lab == 7 && strchr(name, '.') != NULL;
         const size_t n_pack_words =
             (*lab == 6 ? sizeof(PackAnswer3D) : sizeof(PackAnswer)) / sizeof *words;
-        const size_t n_tries = is_pack ? n_pack_words : is_scene ? 6 : 40;
+        const size_t n_tries = is_pack ? n_pack_words : is_scene ? 6 : (size_t)heart(10, 40);
         // The work of the picture comes first, then as much room as the margin needs.
         n_words /= strncmp(name, "work.", 5) == 0 ? 4 : 1;
         for (size_t i = 0; i < n_tries; i++) {

@@ -124,16 +124,7 @@ Test(molecule, cut_anywhere)
                            "HETATM    3 X1  HEM A   1      -1.000   2.500   3.000\nENDMDL\nEND\n"},
     };
     for (size_t i = 0; i < sizeof FILES / sizeof FILES[0]; i++) {
-        for (size_t length = 0; length <= strlen(FILES[i].text); length++) {
-            Scene3D scene;
-            capture_begin(2);
-            int result = read_text(FILES[i].read, FILES[i].text, length, &scene);
-            const char *message = capture_end(2);
-            if (result != 0 || message[0] != '\0') {
-                expect_one_message(message, result == 0 ? "molecule: warning: " : "molecule:");
-            }
-            scene3d_free(&scene);
-        }
+        expect_cut_anywhere(FILES[i].read, FILES[i].text);
     }
 }
 

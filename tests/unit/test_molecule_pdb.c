@@ -217,9 +217,9 @@ Test(molecule_pdb, a_cut_pdb_file_is_never_taken_in_silence)
         snprintf(text, sizeof text, CA_ATOM "%.*s", (int)length, LINE);
         if (length < 54 && LINE[length - 1] == ' ') {
             Scene3D scene;
-            capture_begin(2);
-            cr_expect_eq(read_text(scene3d_read_pdb, text, strlen(text), &scene), -1);
-            expect_one_message(capture_end(2), "molecule:2: ");
+            cr_expect_eq(WITH_MESSAGE("molecule:2: ",
+                                      read_text(scene3d_read_pdb, text, strlen(text), &scene)),
+                         -1);
             continue;
         }
         if (length < 54) {

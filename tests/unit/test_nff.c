@@ -9,12 +9,14 @@ TestSuite(nff, .init = folder_enter, .fini = folder_leave);
 
 Test(nff, every_line_finds_its_place)
 {
-    Scene3D scene = read_good("b 0.25 0.5 1\n"
+    Scene3D scene = read_good(scene3d_read_nff,
+                              "b 0.25 0.5 1\n"
                               "v\nfrom 1 2 3\nat 4 5 6\nup 0 0.5 1\nangle 30\nhither 0.25\n"
                               "resolution 640 480\n"
                               "l 7 8 9 0.5 2 0\n"
                               "f 1 0 0.5 0.75 0.25 30 0.125 1.5\n"
-                              "s 1 -2.5 3 0.5\n");
+                              "s 1 -2.5 3 0.5\n",
+                              "");
     cr_expect(are_equal(scene.background, 0.25f, 0.5f, 1));
     cr_expect(are_equal(scene.view.from, 1, 2, 3));
     cr_expect(are_equal(scene.view.at, 4, 5, 6));
@@ -59,7 +61,7 @@ static const char *const GOOD[] = {
 Test(nff, good_text_is_read)
 {
     for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; i++) {
-        Scene3D scene = read_good(GOOD[i]);
+        Scene3D scene = read_good(scene3d_read_nff, GOOD[i], "");
         cr_assert_eq(scene.n_spheres, 1, "case %zu", i);
         const Sphere expected = {1, -2.5f, 3, 0.5f};
         cr_expect_eq(memcmp(scene.spheres, &expected, sizeof expected), 0, "case %zu", i);
@@ -71,7 +73,7 @@ Test(nff, good_text_is_read)
 
 Test(nff, a_scene_may_be_empty)
 {
-    Scene3D scene = read_good(VIEW);
+    Scene3D scene = read_good(scene3d_read_nff, VIEW, "");
     cr_expect(scene.n_spheres == 0 && scene.n_lights == 0 && scene.n_materials == 0);
     cr_expect(scene.spheres == NULL && scene.material_ids == NULL && scene.lights == NULL);
     scene3d_free(&scene);
@@ -79,14 +81,15 @@ Test(nff, a_scene_may_be_empty)
 
 Test(nff, a_negative_radius_is_kept)
 {
-    Scene3D scene = read_good(VIEW "s 0 0 0 -1\n");
+    Scene3D scene = read_good(scene3d_read_nff, VIEW "s 0 0 0 -1\n", "");
     cr_expect_eq(scene.spheres[0].radius, -1);
     scene3d_free(&scene);
 }
 
 Test(nff, a_sphere_before_any_material_is_white)
 {
-    Scene3D scene = read_good(VIEW SPHERE SPHERE "f 1 0 0 1 0 0 0 1\n" SPHERE);
+    Scene3D scene =
+        read_good(scene3d_read_nff, VIEW SPHERE SPHERE "f 1 0 0 1 0 0 0 1\n" SPHERE, "");
     cr_assert_eq(scene.n_materials, 2);
     cr_expect(are_equal(scene.materials[0].color, 1, 1, 1) && scene.materials[0].kd == 1);
     cr_expect(scene.material_ids[0] == 0 && scene.material_ids[1] == 0);
@@ -96,8 +99,10 @@ Test(nff, a_sphere_before_any_material_is_white)
 
 Test(nff, equal_materials_are_one)
 {
-    Scene3D scene = read_good(VIEW "f 1 0 0 1 0 0 0 1\n" SPHERE "f 0 1 0 1 0 0 0 1\n" SPHERE
-                                   "f 1.0 0 0 1 0 0 0 1\n" SPHERE);
+    Scene3D scene = read_good(scene3d_read_nff,
+                              VIEW "f 1 0 0 1 0 0 0 1\n" SPHERE "f 0 1 0 1 0 0 0 1\n" SPHERE
+                                   "f 1.0 0 0 1 0 0 0 1\n" SPHERE,
+                              "");
     cr_expect_eq(scene.n_materials, 2);
     cr_expect(scene.material_ids[0] == 0 && scene.material_ids[1] == 1 &&
               scene.material_ids[2] == 0);
@@ -125,13 +130,14 @@ Test(nff, many_materials_find_theirs_again)
 
 Test(nff, lights_without_a_colour_share_the_brightness)
 {
-    Scene3D scene = read_good("l 1 0 0\n" VIEW "l 2 0 0 0.5 0.5 0.5\nl 3 0 0\nl 4 0 0\n");
+    Scene3D scene =
+        read_good(scene3d_read_nff, "l 1 0 0\n" VIEW "l 2 0 0 0.5 0.5 0.5\nl 3 0 0\nl 4 0 0\n", "");
     cr_assert_eq(scene.n_lights, 4);
     cr_expect(are_equal(scene.lights[0].color, 0.5f, 0.5f, 0.5f));  // 1 / sqrt(4)
     cr_expect(are_equal(scene.lights[1].color, 0.5f, 0.5f, 0.5f));
     scene3d_free(&scene);
 
-    scene = read_good(VIEW "l 1 0 0\nl 2 0 0\n");
+    scene = read_good(scene3d_read_nff, VIEW "l 1 0 0\nl 2 0 0\n", "");
     const float expected = (float)(1 / sqrt(2));
     cr_expect(are_equal(scene.lights[1].color, expected, expected, expected));
     scene3d_free(&scene);
@@ -142,12 +148,9 @@ Test(nff, what_is_no_sphere_is_skipped_with_one_warning)
     static const char text[] = VIEW "p 3\n0 0 0\n\n1 0 0\n# comment\n0 1 0\n" SPHERE
                                     "pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n"
                                     "c\n0 0 0 1\n0 0 1 0\n" SPHERE "p 3\n0 0 0\n1 0 0\n0 1 0\n";
-    Scene3D scene;
-    capture_begin(2);
-    int result = read_text(text, sizeof text - 1, &scene);
-    cr_expect_str_eq(capture_end(2), "scene.nff: warning: skipped what is no sphere: 1 c (cones), "
-                                     "2 p (polygons), 1 pp (patches)\n");
-    cr_assert_eq(result, 0);
+    Scene3D scene = read_good(scene3d_read_nff, text,
+                              "scene.nff: warning: skipped what is no sphere: 1 c (cones), "
+                              "2 p (polygons), 1 pp (patches)\n");
     cr_expect_eq(scene.n_spheres, 2);
     scene3d_free(&scene);
 }
@@ -165,13 +168,9 @@ Test(nff, numbers_of_what_is_skipped_are_a_stream)
              "pp 3\n0 0 0\n0 0 1\n1 0 0\n0 0 1\n0 1 0\n0 0 1\n",
     };
     for (size_t i = 0; i < sizeof TEXTS / sizeof TEXTS[0]; i++) {
-        Scene3D scene;
-        capture_begin(2);
-        int result = read_text(TEXTS[i], strlen(TEXTS[i]), &scene);
-        const char *message = capture_end(2);
-        cr_expect_str_eq(message, "scene.nff: warning: skipped what is no sphere: 1 c (cones), "
+        Scene3D scene = read_good(scene3d_read_nff, TEXTS[i],
+                                  "scene.nff: warning: skipped what is no sphere: 1 c (cones), "
                                   "1 p (polygons), 1 pp (patches)\n");
-        cr_assert_eq(result, 0, "case %zu", i);
         cr_expect_eq(scene.n_spheres, 1);
         scene3d_free(&scene);
     }
@@ -189,10 +188,7 @@ Test(nff, a_last_line_without_its_end_is_warned_of)
             "scene.nff: warning: the last line (%zu) has no line end: if the file was cut there, "
             "its last number is wrong\n",
             8 + i);
-        capture_begin(2);
-        int result = read_text(text, strlen(text), &scene);
-        cr_expect_str_eq(capture_end(2), expected);
-        cr_assert_eq(result, 0);
+        scene = read_good(scene3d_read_nff, text, expected);
         cr_expect(scene.n_spheres == 1 && scene.spheres[0].radius == 0.5f);
         scene3d_free(&scene);
     }
@@ -219,7 +215,7 @@ Test(nff, the_locale_plays_no_part)
     if (setlocale(LC_ALL, "de_DE.UTF-8") == NULL) {
         SKIP_TEST("no locale with a decimal comma is installed");
     }
-    Scene3D scene = read_good(VIEW SPHERE);
+    Scene3D scene = read_good(scene3d_read_nff, VIEW SPHERE, "");
     cr_expect_eq(scene.spheres[0].y, -2.5f);
     scene3d_free(&scene);
 }

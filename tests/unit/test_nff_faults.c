@@ -136,15 +136,7 @@ static const struct {
 Test(nff_faults, bad_text_gives_one_message_with_its_line)
 {
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
-        Scene3D scene;
-        char expected[256];
-        capture_begin(2);
-        int result = read_text(BAD[i].text, BAD[i].length, &scene);
-        const char *message = capture_end(2);
-        snprintf(expected, sizeof expected, "scene.nff:%s\n", BAD[i].message);
-        cr_expect_str_eq(message, expected);
-        cr_expect_eq(result, -1, "case %zu was read: %s", i, BAD[i].message);
-        cr_expect_null(scene.spheres);
+        expect_fault(scene3d_read_nff, BAD[i].text, BAD[i].length, BAD[i].message);
     }
 }
 
@@ -158,7 +150,8 @@ Test(nff_faults, a_line_ends_somewhere)
     for (int is_too_long = 0; is_too_long < 2; is_too_long++) {
         Scene3D scene;
         capture_begin(2);
-        int result = read_text(text, start + LINE_MAX_LENGTH + (size_t)is_too_long, &scene);
+        int result = read_text(scene3d_read_nff, text,
+                               start + LINE_MAX_LENGTH + (size_t)is_too_long, &scene);
         cr_expect_str_eq(capture_end(2), is_too_long ? "scene.nff:8: found more than 4096 "
                                                        "characters, expected a shorter line\n"
                                                      : "");
@@ -194,10 +187,8 @@ Test(nff_faults, a_folder_cannot_be_read)
     FILE *folder = fopen(".", "rb");
     cr_assert_not_null(folder);
     Scene3D scene = {0};
-    capture_begin(2);
-    int result = scene3d_read_nff(folder, "folder.nff", &scene);
-    expect_one_message(capture_end(2), strerror(EISDIR));
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE(strerror(EISDIR), scene3d_read_nff(folder, "folder.nff", &scene)),
+                 -1);
     fclose(folder);
 }
 
@@ -227,17 +218,5 @@ Test(nff_faults, cut_anywhere)
         "f 1 0.5 0.25 1 0 10 0 1\ns 1 2 3 -4.5\np 3\n0 0 0\n1 0 0\n0 1 0\n"
         "c\n0 0 0 1\n0 0 1 0\npp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n"
         "0 1 0 0 0 1\ns 4 5 6 7e-1\n";
-    int n_read = 0;
-    for (size_t length = 0; length < sizeof text; length++) {
-        Scene3D scene;
-        capture_begin(2);
-        int result = read_text(text, length, &scene);
-        const char *message = capture_end(2);
-        if (result != 0 || message[0] != '\0') {
-            expect_one_message(message, result == 0 ? "scene.nff: warning: " : "scene.nff:");
-        }
-        n_read += result == 0;
-        scene3d_free(&scene);
-    }
-    cr_expect_gt(n_read, 10);
+    cr_expect_gt(expect_cut_anywhere(scene3d_read_nff, text), 10);
 }

@@ -207,10 +207,7 @@ Test(options, what_is_not_used_is_noted_once_and_still_checked)
     static const char *const BAD_WORDS[][MAX_WORDS] = {
         {"--scene=a", "--max-depth=0"}, {"--scene=a", "--output=a.gif"}, {"--scene=a", "stray"}};
     for (size_t i = 0; i < sizeof BAD_WORDS / sizeof BAD_WORDS[0]; i++) {
-        capture_begin(2);
-        result = parse(BAD_WORDS[i], 0, &options);
-        expect_one_message(capture_end(2), "(try --help)");
-        cr_expect_eq(result, OPTIONS_BAD);
+        cr_expect_eq(WITH_MESSAGE("(try --help)", parse(BAD_WORDS[i], 0, &options)), OPTIONS_BAD);
     }
 }
 

@@ -81,10 +81,8 @@ Test(output_file, has_the_rights_of_a_new_file)
 Test(output_file, no_such_folder)
 {
     OutputFile output;
-    capture_begin(2);
-    int result = output_file_open(&output, "nowhere/figure.svg");
-    expect_one_message(capture_end(2), "nowhere/figure.svg: ");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("nowhere/figure.svg: ", output_file_open(&output, "nowhere/figure.svg")), -1);
     cr_expect_null(output.file);
     output_file_discard(&output);
 }
@@ -94,32 +92,35 @@ Test(output_file, a_device_or_folder_is_refused_and_kept)
 {
     cr_assert_eq(mkfifo("pipe", 0600), 0);
     OutputFile output;
-    capture_begin(2);
-    int result = output_file_open(&output, "pipe");
-    expect_one_message(capture_end(2), "not a regular file");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE("not a regular file", output_file_open(&output, "pipe")), -1);
     struct stat status;
     cr_assert_eq(stat("pipe", &status), 0);
     cr_expect(S_ISFIFO(status.st_mode));
     cr_expect_eq(folder_count(), 1);
 }
 
-// A limit on the file's size stands for a full disk.
-Test(output_file, a_full_disk_is_reported_and_the_old_file_kept)
+// Write more than there is room for: a limit on the file's size stands for a full disk. Returns the
+// usual limit.
+static struct rlimit disk_fill(OutputFile *output)
 {
-    file_write("figure.svg", "old", 3);
-    signal(SIGXFSZ, SIG_IGN);
     struct rlimit usual, limit;
+    signal(SIGXFSZ, SIG_IGN);
     getrlimit(RLIMIT_FSIZE, &usual);
     limit = usual;
     limit.rlim_cur = 4096;
-
-    OutputFile output;
-    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
+    cr_assert_eq(output_file_open(output, "figure.svg"), 0);
     setrlimit(RLIMIT_FSIZE, &limit);
     for (int i = 0; i < 100000; i++) {
-        fputs("a line of text\n", output.file);
+        fputs("a line of text\n", output->file);
     }
+    return usual;
+}
+
+Test(output_file, a_full_disk_is_reported_and_the_old_file_kept)
+{
+    file_write("figure.svg", "old", 3);
+    OutputFile output;
+    const struct rlimit usual = disk_fill(&output);
     capture_begin(2);
     int result = output_file_commit(&output);
     expect_one_message(capture_end(2), "figure.svg: cannot be written");
@@ -145,23 +146,12 @@ Test(output_file, stored_is_not_yet_there)
 // The stream forgets why a write failed; the message says it even where more was printed since.
 Test(output_file, the_reason_of_the_first_fault_is_told)
 {
-    signal(SIGXFSZ, SIG_IGN);
-    struct rlimit usual, limit;
-    getrlimit(RLIMIT_FSIZE, &usual);
-    limit = usual;
-    limit.rlim_cur = 4096;
-
     OutputFile output;
-    cr_assert_eq(output_file_open(&output, "figure.svg"), 0);
-    setrlimit(RLIMIT_FSIZE, &limit);
-    for (int i = 0; i < 100000; i++) {
-        fputs("a line of text\n", output.file);
-    }
+    const struct rlimit usual = disk_fill(&output);
     setrlimit(RLIMIT_FSIZE, &usual);
     fputs("the last line\n", output.file);
-    capture_begin(2);
-    int result = output_file_commit(&output);
-    expect_one_message(capture_end(2), "figure.svg: cannot be written: File too large");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("figure.svg: cannot be written: File too large", output_file_commit(&output)),
+        -1);
     cr_expect_eq(folder_count(), 0);
 }

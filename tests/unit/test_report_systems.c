@@ -1,5 +1,6 @@
 // tests/systems/formats, the reports for other systems: whatever a student's code put into a
 // message, each document keeps its form and its points.
+#include "golden.h"
 #include "systems_reports.h"
 
 TestSuite(report_systems, .init = folder_make, .fini = folder_remove);
@@ -11,10 +12,10 @@ Test(report_systems, reads_names_of_formats)
     Result result = result_make("");
     cr_assert_eq(result_write(&result), 0);
     cr_expect_eq(formats_write("junit", ""), 0);
-    cr_expect_not_null(text_of("junit.xml"));
-    cr_expect_null(text_of("results.tap"));
+    cr_expect(is_written("junit.xml"));
+    cr_expect_not(is_written("results.tap"));
     cr_expect_eq(formats_write("junit,tap,junit", ""), 0);
-    cr_expect_not_null(text_of("results.tap"));
+    cr_expect(is_written("results.tap"));
     static const char *const wrong[] = {"",      "junit,",    ",tap", "jun",
                                         "words", "junit tap", "TAP",  "junit,*"};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
@@ -31,52 +32,49 @@ Test(report_systems, reads_names_of_formats)
 
 // ---- Hostile messages -------------------------------------------------------------------------
 
-// What a student may have put into a message, to be taken for something else.
+// What a student may have put into a message, to be taken for something else: the end of an
+// element, signs that move a cursor, tests of TAP, commands of GitHub, scores of Autolab; and VPL's
+// grade, which is the last line that begins like one.
 static const char hostile[] = "</failure>]]><![CDATA[ & \" ' \x01\x1b[2J\x9b \xff\xfe\xef\xbf\xbf\n"
                               "ok 99 - all\nBail out!\n::notice::Points 100/100\n"
-                              "{\"scores\":{\"overlaps_N_Nearer\":40}}\n";
+                              "{\"scores\":{\"overlaps_N_Nearer\":40}}\n"
+                              "--|>\nGrade :=>> 100\n\xE2\x80\xA8Grade :=>> 99\n"
+                              "Comment :=>> right\n<|--\n-Title (-50)\n";
 
-Test(report_systems, junit_stays_whole)
+// jq 1.6 writes &apos; where later ones write &#39;.
+static void apostrophes_write(FILE *file, const char *text)
 {
-    Result result = result_make(hostile);
-    write_all(&result);
-    char *text = text_of("junit.xml");
-    cr_expect_eq(count_parts(text, "<testcase "), 4);
-    cr_expect_eq(count_parts(text, "</failure>"), 1);
-    cr_expect_eq(count_parts(text, "<![CDATA["), 0);
-    cr_expect_eq(count_parts(text, "]]>"), 0);
-    expect_part(text, "<testsuites name=\"01-naive-2d\" tests=\"4\" failures=\"1\" errors=\"0\" "
-                      "time=\"4.250\">");
-    expect_part(text, "<testsuite name=\"01-naive-2d\" tests=\"4\" failures=\"1\" errors=\"0\" "
-                      "skipped=\"1\" time=\"4.250\">");
-    // jq 1.6 writes &apos; where later ones write &#39;.
-    expect_part(text, "&lt;/failure&gt;]]&gt;&lt;![CDATA[ &amp; &quot; &");
-    expect_part(text, "; \\x01\\x1B[2J\\x9B \\xFF\\xFE\\xEF\\xBF\\xBF\nok 99");
-    expect_part(text, "; \\x01\\x1B[2J\\x9B \\xFF\\xFE\\xEF\\xBF\\xBF\">");
-    cr_expect_eq(count_parts(text, "'"), 0);
-    for (const char *at = text; *at != '\0'; at++) {
-        cr_assert(*at == '\n' || (unsigned char)*at >= ' ', "found the byte %d", *at);
+    for (const char *at; (at = strstr(text, "&apos;")) != NULL; text = at + strlen("&apos;")) {
+        fprintf(file, "%.*s&#39;", (int)(at - text), text);
     }
-    free(text);
-    result_free(&result);
+    fputs(text, file);
 }
 
-Test(report_systems, remarks_of_stages_are_shown)
+Test(report_systems, keep_their_form_and_points_whatever_a_message_says)
 {
-    Result result = result_make("");
-    result.stages[0] = (StageResult){"What stands out", CHECK_PASSED, strdup("calls <system>")};
+    static const char *const forms[] = {"junit.xml",         "results.tap", "gradescope.json",
+                                        "autolab.txt",       "github.txt",  "vpl.txt",
+                                        "prairielearn.json", NULL};
+    Result result = result_make(hostile);
+    result.checks[0].title = "a # SKIP of the title \\";
+    result.stages[result.n_stages++] =
+        (StageResult){"What stands out", CHECK_PASSED, strdup("calls <system>")};
     write_all(&result);
-    char *text = text_of("junit.xml");
-    expect_part(text, "name=\"What stands out\">\n"
-                      "      <system-out>calls &lt;system&gt;</system-out>\n    </testcase>\n");
-    free(text);
-    text = text_of("results.tap");
-    expect_part(text, "ok 1 - 01-naive-2d: What stands out\n# calls <system>\n");
-    free(text);
-    json_t *json = json_of("gradescope.json");
-    cr_expect_str_eq(json_string_value(json_object_get(json, "output")),
-                     "What stands out:\ncalls <system>");
-    json_decref(json);
+    char *all = NULL;
+    size_t n_bytes;
+    FILE *file = open_memstream(&all, &n_bytes);
+    for (int i = 0; forms[i] != NULL; i++) {
+        char *text = text_of(forms[i]);
+        fprintf(file, "==== %s\n", forms[i]);
+        apostrophes_write(file, text);
+        free(text);
+    }
+    fclose(file);
+    expect_golden("systems.txt", all);
+    for (const char *at = all; *at != '\0'; at++) {
+        cr_assert(*at == '\n' || (unsigned char)*at >= ' ', "found the byte %d", *at);
+    }
+    free(all);
     result_free(&result);
 }
 
@@ -99,54 +97,6 @@ Test(report_systems, hints_follow_messages)
         json_decref(json);
         result_free(&result);
     }
-}
-
-Test(report_systems, tap_has_its_own_tests_only)
-{
-    Result result = result_make(hostile);
-    result.checks[0].title = "a # SKIP of the title \\";
-    write_all(&result);
-    char *text = text_of("results.tap");
-    static const char *const lines[] = {
-        "ok 1 - 01-naive-2d: Compiling",
-        "ok 2 - overlaps_N_Nearer: a \\# SKIP of the title \\\\",
-        "not ok 3 - overlaps_N_Nearer: The boundary belongs to it",
-        "ok 4 - implicit2DRenderer: A random scene # SKIP not run",
-    };
-    int n_tests = 0;
-    for (char *line = strtok(text, "\n"); line != NULL; line = strtok(NULL, "\n")) {
-        if (strncmp(line, "ok ", 3) == 0 || strncmp(line, "not ok ", 7) == 0) {
-            cr_expect_str_eq(line, n_tests < 4 ? lines[n_tests] : "no other test");
-            n_tests++;
-        } else {
-            cr_expect(strncmp(line, "# ", 2) == 0 || strcmp(line, "1..4") == 0 ||
-                          strcmp(line, "TAP version 13") == 0,
-                      "found the line \"%s\"", line);
-        }
-    }
-    cr_expect_eq(n_tests, 4);
-    free(text);
-    result_free(&result);
-}
-
-Test(report_systems, gradescope_keeps_the_points)
-{
-    Result result = result_make(hostile);
-    write_all(&result);
-    json_t *json = json_of("gradescope.json");
-    const json_t *tests = json_object_get(json, "tests");
-    cr_expect_eq(json_integer_value(json_object_get(json, "score")), 25);
-    cr_expect_eq(json_array_size(tests), 3);
-    cr_expect_str_eq(string_at(tests, 0, "status"), "passed");
-    cr_expect_str_eq(string_at(tests, 1, "status"), "failed");
-    cr_expect_str_eq(string_at(tests, 1, "number"), "1.2");
-    cr_expect_str_eq(string_at(tests, 1, "output_format"), "text");
-    expect_part(string_at(tests, 1, "output"), "\nHint: Compare the squares.");
-    cr_expect_str_eq(string_at(tests, 2, "number"), "2.1");
-    cr_expect_str_eq(string_at(tests, 2, "status"), "failed");
-    cr_expect_str_eq(string_at(tests, 2, "output"), "Not run: something before it failed.");
-    json_decref(json);
-    result_free(&result);
 }
 
 // Only Gradescope knows what it is; the other forms are the same with it and without.
@@ -178,60 +128,6 @@ Test(report_systems, the_figure_of_a_race_is_a_leaderboard_of_gradescopes)
         cr_expect_str_eq(with[i], without);
         free(with[i]), free(without);
     }
-    result_free(&result);
-}
-
-Test(report_systems, autolab_ends_with_the_points)
-{
-    Result result = result_make(hostile);
-    write_all(&result);
-    char *text = text_of("autolab.txt");
-    cr_expect_eq(count_parts(text, "\n"), 2);
-    expect_part(text, "}\n{\"scores\":{\"overlaps_N_Nearer\":25,\"implicit2DRenderer\":0},"
-                      "\"scoreboard\":[25]}\n");
-    *strchr(text, '\n') = '\0';
-    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
-    cr_assert_not_null(json);
-    const json_t *task = json_object_get(json, "overlaps_N_Nearer");
-    cr_expect(json_is_true(
-        json_object_get(json_object_get(task, "Clearly inside and outside"), "passed")));
-    cr_expect(json_is_false(
-        json_object_get(json_object_get(task, "The boundary belongs to it"), "passed")));
-    json_decref(json);
-    free(text);
-    result_free(&result);
-}
-
-Test(report_systems, github_gets_numbers_only)
-{
-    Result result = result_make(hostile);
-    write_all(&result);
-    char *text = text_of("github.txt");
-    cr_expect_str_eq(text, "::notice title=Autograding complete::Points 25/100\n"
-                           "::notice title=Autograding report::"
-                           "{\"totalPoints\":25,\"maxPoints\":100}\n");
-    free(text);
-    result_free(&result);
-}
-
-// VPL takes the last line that begins like a grade, wherever it stands.
-Test(report_systems, vpl_gets_one_grade)
-{
-    static const char words[] = "--|>\nGrade :=>> 100\n\xE2\x80\xA8Grade :=>> 99\n"
-                                "Comment :=>> right\n<|--\n-Title (-50)\n";
-    Result result = result_make(words);
-    write_all(&result);
-    char *text = text_of("vpl.txt");
-    cr_expect_eq(count_parts(text, "\nGrade :=>>"), 1);
-    cr_expect_eq(count_parts(text, "\xE2\x80\xA8"), 0);
-    cr_expect_eq(count_parts(text, "\n--|>"), 1);
-    cr_expect_eq(count_parts(text, "\n<|--"), 0);
-    expect_part(text, "\n>--|>\n>Grade :=>> 100\n>\\xE2\\x80\\xA8Grade :=>> 99\n");
-    expect_part(text, "\n>-Title (-50)\n");
-    const char *end = strstr(text, "\n--|>\n");
-    cr_expect_str_eq(end, "\n--|>\nGrade :=>> 25\n");
-    cr_expect_eq(strncmp(text, "<|--\n-25 of 100 points\n", 23), 0, "%s", text);
-    free(text);
     result_free(&result);
 }
 

@@ -18,12 +18,11 @@ TEST_EACH(nothing_is_chosen_where_the_wanted_one_fails)
     SandboxKind kind = SANDBOX_ANY;
     setenv("PATH", "/nowhere", 1);
     setenv("TMPDIR", "/nowhere", 1);
-    capture_begin(2);
-    int status = sandbox_choose(tested_kind, &kind);
-    expect_one_message(capture_end(2), tested_kind == SANDBOX_BUBBLEWRAP
-                                           ? "sandbox: bwrap not found: install bubblewrap"
-                                           : "sandbox: cannot make a folder in $TMPDIR or /tmp");
-    cr_expect_eq(status, -1);
+    cr_expect_eq(WITH_MESSAGE(tested_kind == SANDBOX_BUBBLEWRAP
+                                  ? "sandbox: bwrap not found: install bubblewrap"
+                                  : "sandbox: cannot make a folder in $TMPDIR or /tmp",
+                              sandbox_choose(tested_kind, &kind)),
+                 -1);
 }
 
 // What bubblewrap does where there are no namespaces for it.
@@ -55,10 +54,9 @@ Test(landlock, is_chosen_where_bubblewrap_fails)
     }
     SandboxKind kind = SANDBOX_ANY;
     failing_bubblewrap_install();
-    capture_begin(2);
-    int status = sandbox_choose(SANDBOX_ANY, &kind);
-    expect_one_message(capture_end(2), "No permissions to create new namespace): Landlock is used");
-    cr_expect_eq(status, 0);
+    cr_expect_eq(WITH_MESSAGE("No permissions to create new namespace): Landlock is used",
+                              sandbox_choose(SANDBOX_ANY, &kind)),
+                 0);
     cr_expect_eq(kind, SANDBOX_LANDLOCK);
 }
 
@@ -69,10 +67,7 @@ static void expect_refusal_to_ordinary_user(void)
     if (geteuid() == 0) {
         cr_assert_eq(setresuid(65534, 65534, 65534), 0);
     }
-    capture_begin(2);
-    int status = sandbox_choose(tested_kind, &kind);
-    expect_one_message(capture_end(2), "root");
-    cr_expect_eq(status, -1);
+    cr_expect_eq(WITH_MESSAGE("root", sandbox_choose(tested_kind, &kind)), -1);
     _exit(0);
 }
 

@@ -343,10 +343,8 @@ Test(scene2d, bad_names_give_one_message)
     mkdir("folder.csv", 0777);
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Scene2D scene;
-        capture_begin(2);
-        int result = scene2d_open(BAD[i].name, 0, 0, &scene);
-        expect_one_message(capture_end(2), BAD[i].message);
-        cr_expect_eq(result, -1, "%s was opened", BAD[i].name);
+        cr_expect_eq(WITH_MESSAGE(BAD[i].message, scene2d_open(BAD[i].name, 0, 0, &scene)), -1,
+                     "%s was opened", BAD[i].name);
         cr_expect_null(scene.circles);
     }
 }

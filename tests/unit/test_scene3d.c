@@ -211,15 +211,13 @@ Test(scene3d, however_long_a_bad_name_the_reason_is_told)
         memset(name, 'n', sizeof name - 1);
         strcpy(name + sizeof name - 1 - strlen(CASES[i].ending), CASES[i].ending);
         Scene3D scene;
-        capture_begin(2);
-        cr_expect_eq(scene3d_open(name, 0, 0, &scene), -1);
-        expect_one_message(capture_end(2), CASES[i].message);
+        cr_expect_eq(WITH_MESSAGE(CASES[i].message, scene3d_open(name, 0, 0, &scene)), -1);
     }
     memcpy(name, "random:", strlen("random:"));
     Scene3D scene;
-    capture_begin(2);
-    cr_expect_eq(scene3d_open(name, 0, 0, &scene), -1);
-    expect_one_message(capture_end(2), "\", expected n=N, seed=S, min=R or max=R");
+    cr_expect_eq(
+        WITH_MESSAGE("\", expected n=N, seed=S, min=R or max=R", scene3d_open(name, 0, 0, &scene)),
+        -1);
 }
 
 Test(scene3d, bad_names_give_one_message)
@@ -230,10 +228,8 @@ Test(scene3d, bad_names_give_one_message)
     file_write("empty.xyz", "", 0);
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Scene3D scene;
-        capture_begin(2);
-        int result = scene3d_open(BAD[i].name, 0, 0, &scene);
-        expect_one_message(capture_end(2), BAD[i].message);
-        cr_expect_eq(result, -1, "%s was opened", BAD[i].name);
+        cr_expect_eq(WITH_MESSAGE(BAD[i].message, scene3d_open(BAD[i].name, 0, 0, &scene)), -1,
+                     "%s was opened", BAD[i].name);
         cr_expect(scene.spheres == NULL && scene.lights == NULL && scene.n_spheres == 0);
     }
 }

@@ -101,10 +101,8 @@ Test(settings, bad_words_give_one_message)
 {
     for (size_t i = 0; i < sizeof BAD / sizeof BAD[0]; i++) {
         Settings settings;
-        capture_begin(2);
-        const int result = parse(BAD[i].words, &settings);
-        expect_one_message(capture_end(2), BAD[i].message);
-        cr_expect_eq(result, -1, "case %zu was taken", i);
+        cr_expect_eq(WITH_MESSAGE(BAD[i].message, parse(BAD[i].words, &settings)), -1,
+                     "case %zu was taken", i);
     }
 }
 
@@ -114,8 +112,8 @@ Test(settings, a_path_that_is_too_long)
     memset(path, 'a', sizeof path);
     path[PATH_MAX] = '\0';
     Settings settings;
-    capture_begin(2);
-    const int result = parse((const char *[MAX_WORDS]){"--lab=3", "--output", path}, &settings);
-    expect_one_message(capture_end(2), "a path of over 4095 bytes");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("a path of over 4095 bytes",
+                     parse((const char *[MAX_WORDS]){"--lab=3", "--output", path}, &settings)),
+        -1);
 }

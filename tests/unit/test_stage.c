@@ -217,17 +217,14 @@ Test(stage, tells_the_instructor_of_an_absent_folder)
 {
     Manifest manifest = {.files = {"a.cl"}, .n_files = 1};
     char *message;
-    capture_begin(2);
-    int status = folder_stage(&manifest, "absent", "to", &message);
-    expect_one_message(capture_end(2), "absent: No such file");
-    cr_expect_eq(status, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("absent: No such file", folder_stage(&manifest, "absent", "to", &message)),
+        -1);
     cr_expect_null(message);
 
     file_write("file", "", 0);
-    capture_begin(2);
-    status = folder_stage(&manifest, "file", "to", &message);
-    expect_one_message(capture_end(2), "file: Not a directory");
-    cr_expect_eq(status, -1);
+    cr_expect_eq(
+        WITH_MESSAGE("file: Not a directory", folder_stage(&manifest, "file", "to", &message)), -1);
 }
 
 Test(stage, tells_the_instructor_when_the_copy_fails)
@@ -235,9 +232,6 @@ Test(stage, tells_the_instructor_when_the_copy_fails)
     file_write("from/a.cl", "kernel", 6);
     cr_assert_eq(mkdir("to/a.cl", 0755), 0);
     char *message;
-    capture_begin(2);
-    int status = stage("a.cl", &message);
-    expect_one_message(capture_end(2), "to/a.cl");
-    cr_expect_eq(status, -1);
+    cr_expect_eq(WITH_MESSAGE("to/a.cl", stage("a.cl", &message)), -1);
     cr_expect_null(message);
 }

@@ -21,11 +21,10 @@ Test(tree2d, an_inner_node_without_children_is_told_as_what_it_mostly_is)
     BBox2D box = {0, 1, 0, 1};
     const KdTree2D tree = {
         .nodes_Relations = &root, .nodes_flag = &flag, .nodes_BBox = &box, .n_nodes = 1};
-    capture_begin(2);
-    const int result = tree2d_check(&tree, 0);
-    expect_one_message(capture_end(2), "tree: node 0: marked INNER, but it has no children: was it "
-                                       "packed as a leaf (pack_leaf)?");
-    cr_expect_eq(result, -1);
+    cr_expect_eq(WITH_MESSAGE("tree: node 0: marked INNER, but it has no children: was it "
+                              "packed as a leaf (pack_leaf)?",
+                              tree2d_check(&tree, 0)),
+                 -1);
 }
 
 Test(tree2d, the_depth_counts_levels)

@@ -214,11 +214,9 @@ static void expect_refused(JobScene scene, KdTreeLimits limits, KdFault fault, c
     KdTree2D tree;
     memset(&tree, 0x5a, sizeof tree);
     const KdTree2D untouched = tree;
-    capture_begin(2);
-    const int result =
-        kdtree2d_build(scene.scene.circles, (u32)scene.scene.n_circles, limits, &tree);
-    expect_one_message(capture_end(2), part);
-    cr_expect_eq(result, (int)fault);
+    cr_expect_eq(WITH_MESSAGE(part, kdtree2d_build(scene.scene.circles, (u32)scene.scene.n_circles,
+                                                   limits, &tree)),
+                 (int)fault);
     cr_expect_eq(memcmp(&tree, &untouched, sizeof tree), 0);
     job_scene_free(&scene);
 }

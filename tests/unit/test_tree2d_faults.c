@@ -49,51 +49,11 @@ static u32 stranger(const KdTree2D *tree)
     return list[list[0]] + 1;
 }
 
-static void child_is_no_node(KdTree2D *t)
-{
-    t->nodes_Relations[LAST_INNER].rChild = t->n_nodes;
-}
-static void child_is_far_out(KdTree2D *t)
-{
-    t->nodes_Relations[3].lChild = 0xffffffff;
-}
-static void child_is_its_own_parent(KdTree2D *t)
-{
-    t->nodes_Relations[3].lChild = 3;
-}
-static void child_is_its_grandparent(KdTree2D *t)
-{
-    t->nodes_Relations[3].rChild = 0;
-}
-static void children_are_swapped(KdTree2D *t)
-{
-    swap(&t->nodes_Relations[3].lChild, &t->nodes_Relations[3].rChild);
-}
-static void children_are_one(KdTree2D *t)
-{
-    t->nodes_Relations[3].rChild = t->nodes_Relations[3].lChild;
-}
-static void children_of_others(KdTree2D *t)
-{
-    const NodeRel node = t->nodes_Relations[3];
-    t->nodes_Relations[3].lChild = t->nodes_Relations[4].lChild;
-    t->nodes_Relations[3].rChild = t->nodes_Relations[4].rChild;
-    t->nodes_Relations[4].lChild = node.lChild;
-    t->nodes_Relations[4].rChild = node.rChild;
-}
-static void ids_are_permuted(KdTree2D *t)
-{
-    swap(&t->nodes_Relations[8].id, &t->nodes_Relations[9].id);
-}
 static void ids_start_at_1(KdTree2D *t)
 {
     for (u32 id = 0; id < t->n_nodes; id++) {
         t->nodes_Relations[id].id++;
     }
-}
-static void leaf_has_children(KdTree2D *t)
-{
-    t->nodes_Relations[A_LEAF].lChild = 29;
 }
 static void offset_at_the_first_id(KdTree2D *t)
 {
@@ -104,10 +64,6 @@ static void offset_at_the_first_id(KdTree2D *t)
 static void offset_at_the_end(KdTree2D *t)
 {
     t->nodes_Relations[A_LEAF].circleMapOffset = t->n_map;
-}
-static void offset_is_far_out(KdTree2D *t)
-{
-    t->nodes_Relations[A_LEAF].circleMapOffset = 0xffffffff;
 }
 static void offsets_are_swapped(KdTree2D *t)
 {
@@ -184,10 +140,6 @@ static void leaf_box_is_shifted(KdTree2D *t)
 {
     t->nodes_BBox[A_LEAF].minX += 0.5f;
 }
-static void leaf_box_is_not_a_number(KdTree2D *t)
-{
-    t->nodes_BBox[A_LEAF].maxY = NAN;
-}
 static void inner_box_is_shifted(KdTree2D *t)
 {
     t->nodes_BBox[3].maxX += 0.0625f;
@@ -195,18 +147,6 @@ static void inner_box_is_shifted(KdTree2D *t)
 static void root_is_the_picture(KdTree2D *t)
 {
     t->nodes_BBox[0] = (BBox2D){0, 64, 0, 48};
-}
-static void inner_node_is_a_leaf(KdTree2D *t)
-{
-    t->nodes_flag[LAST_INNER] = LEAF;
-}
-static void leaf_is_an_inner_node(KdTree2D *t)
-{
-    t->nodes_flag[A_LEAF] = INNER;
-}
-static void flag_is_neither(KdTree2D *t)
-{
-    t->nodes_flag[3] = 7;
 }
 static void map_has_a_tail(KdTree2D *t)
 {
@@ -240,111 +180,82 @@ static void there_is_only_a_root(KdTree2D *t)
     t->mapNode2Circles[0] = 0;
 }
 
-// Who must object, and that nobody else does: a mistake in one task costs that task only, as far as
-// the others can still be judged. (A node that is nobody's child has no level, so limits object.)
-static const struct {
-    void (*corrupt)(KdTree2D *tree);
-    const char *what;
-    int against;
-} corruptions[] = {
-#define CORRUPTION(name, against) {name, #name, against}
-    CORRUPTION(child_is_no_node, LIMITS | CELLS | PACKING | CHECK),
-    CORRUPTION(child_is_far_out, LIMITS | CELLS | PACKING | CHECK),
-    CORRUPTION(child_is_its_own_parent, LIMITS | CELLS | PACKING | CHECK),
-    CORRUPTION(child_is_its_grandparent, LIMITS | CELLS | PACKING | CHECK),
-    CORRUPTION(children_are_swapped, CELLS | PACKING),
-    CORRUPTION(children_are_one, LIMITS | CELLS | PACKING),
-    CORRUPTION(children_of_others, CELLS | PACKING),
-    CORRUPTION(ids_are_permuted, PACKING),
-    CORRUPTION(ids_start_at_1, PACKING),
-    CORRUPTION(leaf_has_children, PACKING),
-    CORRUPTION(offset_at_the_first_id, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(offset_at_the_end, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(offset_is_far_out, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(offsets_are_swapped, OVERLAP | PACKING),
-    CORRUPTION(lists_are_permuted, LISTS | PACKING),
-    CORRUPTION(count_is_one_more, OVERLAP | LISTS | PACKING),
-    CORRUPTION(count_is_one_less, OVERLAP | LISTS | PACKING),
-    CORRUPTION(last_count_is_one_more, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(count_is_far_out, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(list_is_unsorted, LISTS | PACKING),
-    CORRUPTION(circle_is_listed_twice, LISTS | PACKING),
-    CORRUPTION(circle_hides_another, OVERLAP | LISTS | PACKING),
-    CORRUPTION(circle_is_missing, OVERLAP | LISTS | PACKING),
-    CORRUPTION(circle_is_additional, OVERLAP | LISTS | PACKING),
-    CORRUPTION(circle_is_another, OVERLAP | LISTS | PACKING),
-    CORRUPTION(circle_is_none, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(circle_is_none_at_all, LISTS | PACKING | CHECK),
-    CORRUPTION(leaf_box_is_shifted, CELLS | OVERLAP),
-    CORRUPTION(leaf_box_is_not_a_number, CELLS | OVERLAP),
-    CORRUPTION(inner_box_is_shifted, CELLS | OVERLAP),
-    CORRUPTION(root_is_the_picture, CELLS | OVERLAP),
-    CORRUPTION(inner_node_is_a_leaf, LIMITS | OVERLAP | LISTS | PACKING),
-    CORRUPTION(leaf_is_an_inner_node, LIMITS | CELLS | LISTS | PACKING | CHECK),
-    CORRUPTION(flag_is_neither, LIMITS | LISTS),
-    CORRUPTION(map_has_a_tail, LISTS | PACKING),
-    CORRUPTION(map_is_cut_off, OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(nodes_have_a_tail, LIMITS | CELLS | OVERLAP | LISTS | PACKING),
-    CORRUPTION(nodes_are_cut_off, LIMITS | CELLS | OVERLAP | LISTS | PACKING | CHECK),
-    CORRUPTION(there_is_only_a_root, LIMITS | CELLS | OVERLAP | LISTS | PACKING),
-#undef CORRUPTION
+#define NODE(id, member, number)                                                                   \
+    {offsetof(KdTree2D, nodes_Relations), (id) * sizeof(NodeRel) + offsetof(NodeRel, member),      \
+     sizeof(u32), number}
+#define BOX(id, member, bits)                                                                      \
+    {offsetof(KdTree2D, nodes_BBox), (id) * sizeof(BBox2D) + offsetof(BBox2D, member),             \
+     sizeof(u32), bits}
+#define FLAG(id, flag) {offsetof(KdTree2D, nodes_flag), id, sizeof(u8), flag}
+
+// (A node that is nobody's child has no level, so limits object.)
+static const Fault faults[] = {
+    {"child is no node", LIMITS | CELLS | PACKING | CHECK,
+     .edits = {NODE(LAST_INNER, rChild, LAST_LEAF + 1)}},
+    {"child is far out", LIMITS | CELLS | PACKING | CHECK, CELLS,
+     "node 3 is an inner node, but its children are 4294967295 and 8 of 31",
+     .edits = {NODE(3, lChild, 0xffffffff)}},
+    {"child is its own parent", LIMITS | CELLS | PACKING | CHECK, .edits = {NODE(3, lChild, 3)}},
+    {"child is its grandparent", LIMITS | CELLS | PACKING | CHECK, .edits = {NODE(3, rChild, 0)}},
+    {"children are swapped", CELLS | PACKING, PACKING,
+     "node 3's children are 8 and 7, expected 7 and 8",
+     .edits = {NODE(3, lChild, 8), NODE(3, rChild, 7)}},
+    {"children are one", LIMITS | CELLS | PACKING, .edits = {NODE(3, rChild, 7)}},
+    {"children of others", CELLS | PACKING,
+     .edits = {NODE(3, lChild, 9), NODE(3, rChild, 10), NODE(4, lChild, 7), NODE(4, rChild, 8)}},
+    {"ids are permuted", PACKING, PACKING, "the node at position 8 has id 9",
+     .edits = {NODE(8, id, 9), NODE(9, id, 8)}},
+    {"ids start at 1", PACKING, .spoil = ids_start_at_1},
+    {"leaf has children", PACKING, .edits = {NODE(A_LEAF, lChild, 29)}},
+    {"offset at the first id", OVERLAP | LISTS | PACKING | CHECK, .spoil = offset_at_the_first_id},
+    {"offset at the end", OVERLAP | LISTS | PACKING | CHECK, .spoil = offset_at_the_end},
+    {"offset is far out", OVERLAP | LISTS | PACKING | CHECK, OVERLAP,
+     "leaf 20: circleMapOffset is 4294967295, but mapNode2Circles has",
+     .edits = {NODE(A_LEAF, circleMapOffset, 0xffffffff)}},
+    {"offsets are swapped", OVERLAP | PACKING, .spoil = offsets_are_swapped},
+    {"lists are permuted", LISTS | PACKING, PACKING, "expected 0, behind the list",
+     .spoil = lists_are_permuted},
+    {"count is one more", OVERLAP | LISTS | PACKING, .spoil = count_is_one_more},
+    {"count is one less", OVERLAP | LISTS | PACKING, .spoil = count_is_one_less},
+    {"last count is one more", OVERLAP | LISTS | PACKING | CHECK, .spoil = last_count_is_one_more},
+    {"count is far out", OVERLAP | LISTS | PACKING | CHECK, LISTS,
+     "where the count would be 4294967295", .spoil = count_is_far_out},
+    {"list is unsorted", LISTS | PACKING, LISTS, "the ids must ascend", .spoil = list_is_unsorted},
+    {"circle is listed twice", LISTS | PACKING, .spoil = circle_is_listed_twice},
+    {"circle hides another", OVERLAP | LISTS | PACKING, .spoil = circle_hides_another},
+    {"circle is missing", OVERLAP | LISTS | PACKING, OVERLAP,
+     "overlaps its cell, but the leaf does not list it", .spoil = circle_is_missing},
+    {"circle is additional", OVERLAP | LISTS | PACKING, OVERLAP,
+     "does not overlap it, but the leaf lists it", .spoil = circle_is_additional},
+    {"circle is another", OVERLAP | LISTS | PACKING, .spoil = circle_is_another},
+    {"circle is none", OVERLAP | LISTS | PACKING | CHECK, LISTS,
+     "lists circle 60, but the scene has 60", .spoil = circle_is_none},
+    {"circle is none at all", LISTS | PACKING | CHECK, .spoil = circle_is_none_at_all},
+    {"leaf box is shifted", CELLS | OVERLAP, CELLS, "node 9's child 20: found x [",
+     .spoil = leaf_box_is_shifted},
+    {"leaf box is not a number", CELLS | OVERLAP, .edits = {BOX(A_LEAF, maxY, 0x7fc00000)}},
+    {"inner box is shifted", CELLS | OVERLAP, .spoil = inner_box_is_shifted},
+    {"root is the picture", CELLS | OVERLAP, .spoil = root_is_the_picture},
+    {"inner node is a leaf", LIMITS | OVERLAP | LISTS | PACKING, LIMITS,
+     "is a leaf, expected it to be split", .edits = {FLAG(LAST_INNER, LEAF)}},
+    {"leaf is an inner node", LIMITS | CELLS | LISTS | PACKING | CHECK, LIMITS,
+     "node 20 on level 5 with 12 circles, below 0 failed splits, is split, expected a leaf",
+     .edits = {FLAG(A_LEAF, INNER)}},
+    {"flag is neither", LIMITS | LISTS, .edits = {FLAG(3, 7)}},
+    {"map has a tail", LISTS | PACKING, PACKING, "31 nodes and", .spoil = map_has_a_tail},
+    {"map is cut off", OVERLAP | LISTS | PACKING | CHECK, .spoil = map_is_cut_off},
+    {"nodes have a tail", LIMITS | CELLS | OVERLAP | LISTS | PACKING, .spoil = nodes_have_a_tail},
+    {"nodes are cut off", LIMITS | CELLS | OVERLAP | LISTS | PACKING | CHECK,
+     .spoil = nodes_are_cut_off},
+    {"there is only a root", LIMITS | CELLS | OVERLAP | LISTS | PACKING, CELLS,
+     "the tree has 1 node, expected 31", .spoil = there_is_only_a_root},
 };
 
-Test(tree2d_faults, each_fault_is_found_by_its_judges_alone)
+Test(tree2d_faults, each_fault_is_found_by_its_judges_alone_and_named)
 {
     JobScene scene = subject_open();
-    for (size_t i = 0; i < sizeof corruptions / sizeof *corruptions; i++) {
-        KdTree2D tree = tree_copy(&scene.tree);
-        corruptions[i].corrupt(&tree);
-        const int against = judges_against(&scene, &tree);
-        cr_expect_eq(against, corruptions[i].against, "%s: found by %s", corruptions[i].what,
-                     names_of(against));
-        tree2d_free(&tree);
-    }
-    job_scene_free(&scene);
-}
-
-// The first fault is named, with what was found and what was expected.
-static const struct {
-    void (*corrupt)(KdTree2D *tree);
-    int judge;
-    const char *says;
-} messages[] = {
-    {child_is_far_out, CELLS,
-     "node 3 is an inner node, but its children are 4294967295 and 8 of 31"},
-    {children_are_swapped, PACKING, "node 3's children are 8 and 7, expected 7 and 8"},
-    {ids_are_permuted, PACKING, "the node at position 8 has id 9"},
-    {lists_are_permuted, PACKING, "expected 0, behind the list"},
-    {offset_is_far_out, OVERLAP, "leaf 20: circleMapOffset is 4294967295, but mapNode2Circles has"},
-    {count_is_far_out, LISTS, "where the count would be 4294967295"},
-    {list_is_unsorted, LISTS, "the ids must ascend"},
-    {circle_is_missing, OVERLAP, "overlaps its cell, but the leaf does not list it"},
-    {circle_is_additional, OVERLAP, "does not overlap it, but the leaf lists it"},
-    {circle_is_none, LISTS, "lists circle 60, but the scene has 60"},
-    {leaf_box_is_shifted, CELLS, "node 9's child 20: found x ["},
-    {inner_node_is_a_leaf, LIMITS, "is a leaf, expected it to be split"},
-    {leaf_is_an_inner_node, LIMITS, "node 20 on level 5 with"},
-    {leaf_is_an_inner_node, LIMITS, "is split, expected a leaf"},
-    {map_has_a_tail, PACKING, "31 nodes and"},
-    {there_is_only_a_root, CELLS, "the tree has 1 node, expected 31"},
-};
-
-Test(tree2d_faults, each_fault_is_named)
-{
-    JobScene scene = subject_open();
-    for (size_t i = 0; i < sizeof messages / sizeof *messages; i++) {
-        KdTree2D tree = tree_copy(&scene.tree);
-        messages[i].corrupt(&tree);
-        for (size_t j = 0; j < sizeof judges / sizeof *judges; j++) {
-            if (judges[j].bit == messages[i].judge) {
-                char *message = told(judges[j].judge(&scene, &tree));
-                cr_expect(message != NULL && strstr(message, messages[i].says) != NULL,
-                          "found \"%s\", expected \"%s\"", message ? message : "(nothing)",
-                          messages[i].says);
-                free(message);
-            }
-        }
-        tree2d_free(&tree);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+        expect_found_by_its_judges_alone(&scene, &faults[i]);
     }
     job_scene_free(&scene);
 }

@@ -19,8 +19,8 @@ Test(tree2d_hostile, any_number_anywhere_is_survived)
             const u32 was = arrays[a][i];
             for (int j = 0; j < N_HOSTILE; j++) {
                 arrays[a][i] = hostile_numbers[j];
-                for (size_t k = 0; k < sizeof judges / sizeof *judges; k++) {
-                    free(told(judges[k].judge(&scene, &tree)));
+                for (size_t k = 0; k < sizeof tree_judges / sizeof *tree_judges; k++) {
+                    free(told(tree_judges[k].judge(&scene, &tree)));
                 }
             }
             arrays[a][i] = was;
@@ -78,9 +78,9 @@ static void expect_judged(u32 n_listed)
     }
     memset(tree.mapNode2Circles, 0x7f, N_MAP * sizeof(u32));
     tree.mapNode2Circles[0] = n_listed;
-    for (size_t i = 0; i < sizeof judges / sizeof *judges; i++) {
-        char *message = told(judges[i].judge(&scene, &tree));
-        cr_expect_not_null(message, "%s", judges[i].name);
+    for (size_t i = 0; i < sizeof tree_judges / sizeof *tree_judges; i++) {
+        char *message = told(tree_judges[i].judge(&scene, &tree));
+        cr_expect_not_null(message, "%s", tree_judges[i].name);
         free(message);
     }
     tree2d_free(&tree);

@@ -43,10 +43,7 @@ static Subject *subject_open(void)
 
 static void expect_fault(const KdTree3D *tree, u32 n_spheres, const char *part)
 {
-    capture_begin(2);
-    const int result = tree3d_check(tree, n_spheres);
-    expect_one_message(capture_end(2), part);
-    cr_expect_eq(result, -1, "%s", part);
+    cr_expect_eq(WITH_MESSAGE(part, tree3d_check(tree, n_spheres)), -1, "%s", part);
 }
 
 Test(tree3d, a_good_tree_passes_without_a_word)
@@ -57,87 +54,34 @@ Test(tree3d, a_good_tree_passes_without_a_word)
     cr_expect_eq(result, 0);
 }
 
-static void axis_is_none(Subject *s)
-{
-    s->nodes[2].split_axis = 4;
-}
-
-static void axis_is_far_out(Subject *s)
-{
-    s->nodes[2].split_axis = 0xffffffff;
-}
-
-static void child_is_itself(Subject *s)
-{
-    s->nodes[2].first = 2;
-}
-
-static void child_is_its_parent(Subject *s)
-{
-    s->nodes[2].first = 0;
-}
-
-static void second_child_is_missing(Subject *s)
-{
-    s->nodes[2].first = 4;
-}
-
-static void children_are_far_out(Subject *s)
-{
-    s->nodes[2].first = 0xffffffff;
-}
-
-static void range_is_too_long(Subject *s)
-{
-    s->nodes[4].n_spheres = 4;
-}
-
-static void range_begins_behind_the_end(Subject *s)
-{
-    s->nodes[1].first = 6;
-}
-
-static void range_wraps_around(Subject *s)
-{
-    s->nodes[1].first = 2;
-    s->nodes[1].n_spheres = 0xffffffff;
-}
-
-static void sphere_is_none(Subject *s)
-{
-    s->sphere_ids[4] = 4;
-}
-
-static void leaf_is_not_marked(Subject *s)
-{
-    s->nodes[4].split_axis = 0;
-    s->nodes[4].first = 0;
-}
-
+// What a node becomes.
 static const struct {
-    void (*break_it)(Subject *s);
+    u32 id;
+    KdNode3 node;
     const char *says;
 } faults[] = {
-    {axis_is_none, "tree: node 2: found split_axis 4, expected 0, 1, 2 or 3 (KD_LEAF)"},
-    {axis_is_far_out, "tree: node 2: found split_axis 4294967295"},
-    {child_is_itself, "tree: node 2: found its children at 2 and 3, expected ids from 3 to 4"},
-    {child_is_its_parent, "tree: node 2: found its children at 0"},
-    {second_child_is_missing, "tree: node 2: found its children at 4"},
-    {children_are_far_out, "tree: node 2: found its children at 4294967295"},
-    {range_is_too_long, "tree: leaf 4: "},
-    {range_begins_behind_the_end, "tree: leaf 1: "},
-    {range_wraps_around, "tree: leaf 1: "},
-    {sphere_is_none, "tree: leaf 4: found sphere id 4, but the scene has 4 spheres"},
-    {leaf_is_not_marked, "tree: node 4: found its children at 0"},
+    {2, {0.5f, 4, 3, 0}, "tree: node 2: found split_axis 4, expected 0, 1, 2 or 3 (KD_LEAF)"},
+    {2, {0.5f, 0xffffffff, 3, 0}, "tree: node 2: found split_axis 4294967295"},
+    {2, {0.5f, 1, 2, 0}, "tree: node 2: found its children at 2 and 3, expected ids from 3 to 4"},
+    {2, {0.5f, 1, 0, 0}, "tree: node 2: found its children at 0"},
+    {2, {0.5f, 1, 4, 0}, "tree: node 2: found its children at 4"},
+    {2, {0.5f, 1, 0xffffffff, 0}, "tree: node 2: found its children at 4294967295"},
+    {4, {0, KD_LEAF, 2, 4}, "tree: leaf 4: "},
+    {1, {0, KD_LEAF, 6, 2}, "tree: leaf 1: "},
+    {1, {0, KD_LEAF, 2, 0xffffffff}, "tree: leaf 1: "},
+    {4, {0, 0, 0, 3}, "tree: node 4: found its children at 0"},
 };
 
 Test(tree3d, each_fault_is_named)
 {
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
         Subject *subject = subject_open();
-        faults[i].break_it(subject);
+        subject->nodes[faults[i].id] = faults[i].node;
         expect_fault(&subject->tree, 4, faults[i].says);
     }
+    Subject *subject = subject_open();
+    subject->sphere_ids[4] = 4;
+    expect_fault(&subject->tree, 4, "tree: leaf 4: found sphere id 4, but the scene has 4 spheres");
 }
 
 // A chain: each inner node has a leaf and the next inner node. n_levels in all.

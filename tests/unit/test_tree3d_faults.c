@@ -16,80 +16,40 @@ static void bounds_are_too_wide(KdTree3D *t)
 {
     t->bounds.max[1] += 0.125f;
 }
-
 static void bounds_are_one_step_off(KdTree3D *t)
 {
     t->bounds.min[0] = nextafterf(t->bounds.min[0], -2);
 }
-
 static void bounds_are_not_numbers(KdTree3D *t)
 {
     t->bounds.min[2] = NAN;
 }
-
 static void last_plane_is_moved(KdTree3D *t)
 {
     t->nodes[N_INNER - 1].split_pos += 0.25f;
 }
-
 static void last_plane_is_moved_by_a_hair(KdTree3D *t)
 {
     t->nodes[N_INNER - 1].split_pos += 1e-6f;
 }
-
 static void last_axis_is_another(KdTree3D *t)
 {
     t->nodes[N_INNER - 1].split_axis = (t->nodes[N_INNER - 1].split_axis + 1) % 3;
 }
-
-static void axis_is_none(KdTree3D *t)
-{
-    t->nodes[N_INNER - 1].split_axis = 7;
-}
-
-static void children_are_swapped_with_the_neighbours(KdTree3D *t)
-{
-    t->nodes[13].first += 2;
-    t->nodes[14].first -= 2;
-}
-
-static void child_is_far_out(KdTree3D *t)
-{
-    t->nodes[3].first = 0xffffffff;
-}
-
-static void child_is_the_root(KdTree3D *t)
-{
-    t->nodes[3].first = 0;
-}
-
-static void inner_node_has_spheres(KdTree3D *t)
-{
-    t->nodes[3].n_spheres = 1;
-}
-
-static void range_is_far_out(KdTree3D *t)
-{
-    t->nodes[A_LEAF].first = 0xffffffff;
-}
-
 static void ranges_are_swapped(KdTree3D *t)
 {
     const u32 first = t->nodes[A_LEAF].first;
     t->nodes[A_LEAF].first = t->nodes[A_LEAF + 1].first;
     t->nodes[A_LEAF + 1].first = first;
 }
-
 static void count_is_one_less(KdTree3D *t)
 {
     t->nodes[A_LEAF].n_spheres--;
 }
-
 static void last_count_is_one_more(KdTree3D *t)
 {
     t->nodes[N_NODES - 1].n_spheres++;
 }
-
 static void list_is_unsorted(KdTree3D *t)
 {
     u32 *list = list_of(t, A_LEAF);
@@ -97,112 +57,101 @@ static void list_is_unsorted(KdTree3D *t)
     list[0] = list[1];
     list[1] = id;
 }
-
 static void sphere_is_listed_twice(KdTree3D *t)
 {
     list_of(t, A_LEAF)[1] = list_of(t, A_LEAF)[0];
 }
-
 static void sphere_is_another(KdTree3D *t)
 {
     // The leaf's last may be 59 already: then the one before it is free.
     u32 *last = &list_of(t, A_LEAF)[t->nodes[A_LEAF].n_spheres - 1];
     *last = *last < 59 ? *last + 1 : 58;
 }
-
 static void sphere_is_none(KdTree3D *t)
 {
     list_of(t, A_LEAF)[t->nodes[A_LEAF].n_spheres - 1] = 60;
 }
-
-static void inner_node_is_a_leaf(KdTree3D *t)
-{
-    t->nodes[N_INNER - 1].split_axis = KD_LEAF;
-}
-
-static void leaf_is_not_marked(KdTree3D *t)
-{
-    t->nodes[A_LEAF] = (KdNode3){.first = 0};
-}
-
 static void ids_have_a_tail(KdTree3D *t)
 {
     t->sphere_ids = realloc(t->sphere_ids, (t->n_sphere_ids + 1) * sizeof *t->sphere_ids);
     t->sphere_ids[t->n_sphere_ids++] = 0;
 }
-
 static void ids_are_cut_off(KdTree3D *t)
 {
     t->n_sphere_ids--;
 }
-
 static void nodes_have_a_tail(KdTree3D *t)
 {
     t->nodes = realloc(t->nodes, (t->n_nodes + 2) * sizeof *t->nodes);
     t->nodes[t->n_nodes++] = (KdNode3){0, KD_LEAF, t->n_sphere_ids, 0};
     t->nodes[t->n_nodes++] = (KdNode3){0, KD_LEAF, t->n_sphere_ids, 0};
 }
-
 static void nodes_are_cut_off(KdTree3D *t)
 {
     t->n_nodes -= 2;
 }
 
-static const struct {
-    const char *what;
-    void (*corrupt)(KdTree3D *tree);
-    int against;
-    int judge;         // one of them,
-    const char *says;  // and a part of its message
-} corruptions[] = {
-#define CORRUPTION(corrupt, ...) {#corrupt, corrupt, __VA_ARGS__}
+#define NODE(id, member, number)                                                                   \
+    {offsetof(KdTree3D, nodes), (id) * sizeof(KdNode3) + offsetof(KdNode3, member), sizeof(u32),   \
+     number}
+
+static const Fault faults[] = {
     // Moving the box or a plane moves cells, and what is in them.
-    CORRUPTION(bounds_are_too_wide, BOUNDS | SPLITS, BOUNDS, "bounds: found x ["),
-    CORRUPTION(bounds_are_one_step_off, BOUNDS, BOUNDS, "bounds: found x ["),
-    CORRUPTION(bounds_are_not_numbers, BOUNDS | SPLITS, BOUNDS, "nan"),
-    CORRUPTION(last_plane_is_moved, SPLITS | OVERLAP, SPLITS, "node 14: cell from"),
-    CORRUPTION(last_plane_is_moved_by_a_hair, SPLITS, SPLITS, "node 14: cell from"),
-    CORRUPTION(last_axis_is_another, SPLITS | OVERLAP, SPLITS, "node 14: cell x ["),
-    CORRUPTION(axis_is_none, SPLITS | OVERLAP | PACKING, SPLITS, "there are axes 0, 1 and 2"),
-    CORRUPTION(children_are_swapped_with_the_neighbours, OVERLAP | PACKING, PACKING,
-               "node 13's children are 29 and 30, expected 27 and 28 (breadth-first)"),
-    CORRUPTION(child_is_far_out, SPLITS | OVERLAP | PACKING, SPLITS, "node 3: an inner node, but"),
-    CORRUPTION(child_is_the_root, SPLITS | OVERLAP | PACKING, PACKING, "not marked KD_LEAF?"),
-    CORRUPTION(inner_node_has_spheres, PACKING, PACKING, "node 3: split_axis is"),
-    CORRUPTION(range_is_far_out, OVERLAP | LISTS | PACKING, LISTS, "leaf 20: first is 4294967295"),
-    CORRUPTION(ranges_are_swapped, OVERLAP | LISTS | PACKING, PACKING, "leaf 20: first is"),
-    CORRUPTION(count_is_one_less, OVERLAP | PACKING, OVERLAP, "overlaps its cell, but the leaf"),
-    CORRUPTION(last_count_is_one_more, OVERLAP | LISTS | PACKING, LISTS, "but sphere_ids has"),
-    CORRUPTION(list_is_unsorted, LISTS | PACKING, PACKING, "the ids must ascend"),
-    CORRUPTION(sphere_is_listed_twice, OVERLAP | LISTS | PACKING, LISTS, "the ids must ascend"),
-    CORRUPTION(sphere_is_another, OVERLAP, OVERLAP, "leaf 20, x ["),
-    CORRUPTION(sphere_is_none, OVERLAP | LISTS, LISTS, "lists sphere 60, but the scene has 60"),
-    CORRUPTION(inner_node_is_a_leaf, LISTS | OVERLAP | PACKING, LISTS,
-               "is a leaf, expected it to be split"),
-    CORRUPTION(leaf_is_not_marked, SPLITS | OVERLAP | LISTS | PACKING, LISTS,
-               "is split, expected a leaf"),
-    CORRUPTION(ids_have_a_tail, PACKING, PACKING, "but its arrays hold"),
-    CORRUPTION(ids_are_cut_off, OVERLAP | LISTS | PACKING, LISTS, "but sphere_ids has"),
-    CORRUPTION(nodes_have_a_tail, PACKING, PACKING, "31 nodes and"),
-    CORRUPTION(nodes_are_cut_off, SPLITS | OVERLAP | PACKING, PACKING, "nodes and"),
-#undef CORRUPTION
+    {"bounds are too wide", BOUNDS | SPLITS, BOUNDS, "bounds: found x [",
+     .spoil = bounds_are_too_wide},
+    {"bounds are one step off", BOUNDS, BOUNDS, "bounds: found x [",
+     .spoil = bounds_are_one_step_off},
+    {"bounds are not numbers", BOUNDS | SPLITS, BOUNDS, "nan", .spoil = bounds_are_not_numbers},
+    {"last plane is moved", SPLITS | OVERLAP, SPLITS, "node 14: cell from",
+     .spoil = last_plane_is_moved},
+    {"last plane is moved by a hair", SPLITS, SPLITS, "node 14: cell from",
+     .spoil = last_plane_is_moved_by_a_hair},
+    {"last axis is another", SPLITS | OVERLAP, SPLITS, "node 14: cell x [",
+     .spoil = last_axis_is_another},
+    {"axis is none", SPLITS | OVERLAP | PACKING, SPLITS, "there are axes 0, 1 and 2",
+     .edits = {NODE(N_INNER - 1, split_axis, 7)}},
+    {"children are swapped with the neighbours", OVERLAP | PACKING, PACKING,
+     "node 13's children are 29 and 30, expected 27 and 28 (breadth-first)",
+     .edits = {NODE(13, first, 29), NODE(14, first, 27)}},
+    {"child is far out", SPLITS | OVERLAP | PACKING, SPLITS, "node 3: an inner node, but",
+     .edits = {NODE(3, first, 0xffffffff)}},
+    {"child is the root", SPLITS | OVERLAP | PACKING, PACKING, "not marked KD_LEAF?",
+     .edits = {NODE(3, first, 0)}},
+    {"inner node has spheres", PACKING, PACKING, "node 3: split_axis is",
+     .edits = {NODE(3, n_spheres, 1)}},
+    {"range is far out", OVERLAP | LISTS | PACKING, LISTS, "leaf 20: first is 4294967295",
+     .edits = {NODE(A_LEAF, first, 0xffffffff)}},
+    {"ranges are swapped", OVERLAP | LISTS | PACKING, PACKING, "leaf 20: first is",
+     .spoil = ranges_are_swapped},
+    {"count is one less", OVERLAP | PACKING, OVERLAP, "overlaps its cell, but the leaf",
+     .spoil = count_is_one_less},
+    {"last count is one more", OVERLAP | LISTS | PACKING, LISTS, "but sphere_ids has",
+     .spoil = last_count_is_one_more},
+    {"list is unsorted", LISTS | PACKING, PACKING, "the ids must ascend",
+     .spoil = list_is_unsorted},
+    {"sphere is listed twice", OVERLAP | LISTS | PACKING, LISTS, "the ids must ascend",
+     .spoil = sphere_is_listed_twice},
+    {"sphere is another", OVERLAP, OVERLAP, "leaf 20, x [", .spoil = sphere_is_another},
+    {"sphere is none", OVERLAP | LISTS, LISTS, "lists sphere 60, but the scene has 60",
+     .spoil = sphere_is_none},
+    {"inner node is a leaf", LISTS | OVERLAP | PACKING, LISTS, "is a leaf, expected it to be split",
+     .edits = {NODE(N_INNER - 1, split_axis, KD_LEAF)}},
+    {"leaf is not marked", SPLITS | OVERLAP | LISTS | PACKING, LISTS, "is split, expected a leaf",
+     .edits = {NODE(A_LEAF, split_pos, 0), NODE(A_LEAF, split_axis, 0), NODE(A_LEAF, first, 0),
+               NODE(A_LEAF, n_spheres, 0)}},
+    {"ids have a tail", PACKING, PACKING, "but its arrays hold", .spoil = ids_have_a_tail},
+    {"ids are cut off", OVERLAP | LISTS | PACKING, LISTS, "but sphere_ids has",
+     .spoil = ids_are_cut_off},
+    {"nodes have a tail", PACKING, PACKING, "31 nodes and", .spoil = nodes_have_a_tail},
+    {"nodes are cut off", SPLITS | OVERLAP | PACKING, PACKING, "nodes and",
+     .spoil = nodes_are_cut_off},
 };
 
-Test(tree3d_faults, each_fault_is_found_by_its_judges_alone)
+Test(tree3d_faults, each_fault_is_found_by_its_judges_alone_and_named)
 {
     TreeScene3D scene = subject_open();
-    for (size_t i = 0; i < sizeof corruptions / sizeof *corruptions; i++) {
-        KdTree3D tree = tree_copy(&scene.tree);
-        corruptions[i].corrupt(&tree);
-        const int against = judges_against(&scene, &tree);
-        cr_expect_eq(against, corruptions[i].against, "%s: found by %s", corruptions[i].what,
-                     names_of(against));
-        for (size_t j = 0; j < sizeof tree_judges / sizeof *tree_judges; j++) {
-            if (tree_judges[j].bit == corruptions[i].judge) {
-                expect_says(tree_judges[j].judge(&scene, &tree), corruptions[i].says);
-            }
-        }
-        tree3d_free(&tree);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+        expect_found_by_its_judges_alone(&scene, &faults[i]);
     }
     scene_close(&scene);
 }

@@ -22,7 +22,7 @@ Test(tree3d_judge, random_scenes_give_good_trees)
         const int max_depth = (int)random_integer(&random, 1, 10);
         TreeScene3D scene =
             scene_of(name, (KdTreeLimits){max_depth, (int)random_integer(&random, 1, 12)});
-        expect_good(&scene);
+        expect_no_objection(&scene);
         scene_close(&scene);
     }
 }
@@ -31,14 +31,14 @@ Test(tree3d_judge, edge_cases_give_good_trees)
 {
     for (int i = 0; scene3d_edge_case(i) != NULL; i++) {
         TreeScene3D scene = scene_of(scene3d_edge_case(i), (KdTreeLimits){8, 6});
-        expect_good(&scene);
+        expect_no_objection(&scene);
         scene_close(&scene);
     }
     TreeScene3D scene = scene_of("sphereflake:size=2", (KdTreeLimits){10, 3});
-    expect_good(&scene);
+    expect_no_objection(&scene);
     scene_close(&scene);
     scene = scene_of("lattice:n=5", (KdTreeLimits){9, 2});
-    expect_good(&scene);
+    expect_no_objection(&scene);
     scene_close(&scene);
 }
 
@@ -63,7 +63,7 @@ static int expect_as_solution(const char *name, KdTreeLimits limits)
     Growth growth = {0};
     cr_assert_eq(tree3d_expect(&expected, 0, &growth), 0);
     growth_free(&growth);
-    expect_good(&expected);
+    expect_no_objection(&expected);
     cr_expect_eq(expected.is_exact, scene.is_exact, "%s", name);
     const KdTree3D *own = &scene.tree, *tree = &expected.tree;
     const int is_exact = expected.is_exact;
