@@ -23,6 +23,7 @@
 // line says (tally.h); 2 after one message. Read next: export_archive.h, roster.h, class_keys.h,
 // gradebook.h; grade_class.sh, which calls all but the last.
 #include "class_keys.h"
+#include "class_page.h"
 #include "class_slides.h"
 #include "clean_text.h"
 #include "commits.h"
@@ -32,8 +33,8 @@
 #include "entry_content.h"
 #include "export_archive.h"
 #include "feedback.h"
-#include "gradebook.h"
 #include "lateness.h"
+#include "list_columns.h"
 #include "look_alikes.h"
 #include "number.h"
 #include "option_table.h"
@@ -42,7 +43,6 @@
 #include "tally.h"
 #include "text_file.h"
 #include "upload_csv.h"
-#include "worksheet.h"
 
 #include <dirent.h>
 #include <getopt.h>

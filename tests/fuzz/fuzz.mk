@@ -3,7 +3,7 @@
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
 FUZZED_forms = $(addprefix tests/copies/,forms.c forms_add.c expression.c form_list.c live_text.c macros.c name_set.c remarks.c) tests/grader/submission/source_words.c \
     common/message.c $(MESSAGES)
-FUZZED_graded = tests/class/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
+FUZZED_graded = tests/class/grading/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
 FUZZED_manifest = tests/grader/lab/manifest.c common/message.c $(MESSAGES)
 FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)

@@ -1,4 +1,4 @@
-// class/sheet_number and class/sheet_text: lists as course systems and spreadsheets write them.
+// class/texts/sheet_number and sheet_text: lists as course systems and spreadsheets write them.
 #include "sheet_number.h"
 #include "sheet_text.h"
 #include "surroundings.h"
