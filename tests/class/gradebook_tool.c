@@ -9,7 +9,7 @@
 //     gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER
 //
 //     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv,
-//           --due DUE, --late LATE
+//           --due DUE, --late LATE; with --make as the first word all from make's variables
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -63,7 +63,7 @@ static int usage(void)
           "[--names no] FOLDER\n"
           "       gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER\n"
           "LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv, "
-          "--due DUE, --late LATE\n",
+          "--due DUE, --late LATE; or --make as the first word: all from LIST=, COLUMN= ...\n",
           stderr);
     return EXIT_FAULT;
 }
@@ -516,11 +516,8 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 14 };
+    enum { N_FROM_MAKE = 10, SEED = N_FROM_MAKE, N_ROWS = 14 };
     static const OptionRow rows[N_ROWS] = {
-        {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
-        [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
-        {.name = "commits", .kind = OPTION_FLAG, .place = PLACE(has_commits)},
         {.name = "list", .argument = "PARTICIPANTS", .place = PLACE(paths.list.path)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.list.path)},  // older
         {.name = "column", .argument = "TITLE", .place = PLACE(paths.list.column)},
@@ -531,9 +528,12 @@ int main(int argc, char **argv)
         {.name = "against", .argument = "OLD", .place = PLACE(paths.against)},
         {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},
         {.name = "names", .argument = "no", .place = PLACE(names)},
+        [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
+        {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
+        {.name = "commits", .kind = OPTION_FLAG, .place = PLACE(has_commits)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
-    const OptionTable table = {"gradebook", rows, N_ROWS, .takes_words = 1};
+    const OptionTable table = {"gradebook", rows, N_ROWS, 1, N_FROM_MAKE};
     GradebookOptions options = {0};
     int is_given[N_ROWS];
     const OptionsResult result = option_table_read(&table, argc, argv, &options, is_given);

@@ -1,26 +1,8 @@
 #!/bin/sh
 # Grade a whole class; `make grade-class` calls this.
 #
-#     tests/class/grading/grade_class.sh --lab 03 --submissions FOLDER [OPTION VALUE]...
-#
-#     --submissions FOLDER   or a zip or tar archive of it, which is unpacked in the sandbox
-#     --output FOLDER        where everything goes (build/class/03)
-#     --engine parallel      or slurm: how the submissions are spread
-#     --jobs N               how many at a time (parallel: as many as there are processors)
-#     --seed N               a number in the place of the class's secret: for tests
-#     --only failed|latest   only those below full marks; of a student's entries by Moodle the last
-#     --again 1              grade all, also where nothing has changed
-#     --list FILE.csv        the participants: Moodle's worksheet, a gradebook of Canvas, ... (--moodle is its older name)
-#     --column TITLE         which of its columns takes the grades, where it has several
-#     --who FILE.csv         whose an entry is, where the instructor decides: entry, student, counts
-#     --changes FILE.csv     the instructor's corrections: student, task, points, comment, until
-#     --points FILE.csv      the instructor's own points, hints and limits; kept as OUTPUT/points.csv
-#     --due TEXT             the deadline: "2026-11-25 23:59 Europe/Berlin"
-#     --late TEXT            what late work costs: 10%/day,2days
-#     --against FILE.json    an older gradebook.json, to compare scores with
-#     --nothing 0|blank      what gradebooks have for who handed in nothing of this lab (blank)
-#     --names no             also a page for the lecture hall, without names
-#     --device D, --time-limit S, --build FOLDER    as for build/tools/grade
+#     tests/class/grading/grade_class.sh --lab 03 --submissions FOLDER [--OPTION VALUE]...
+#     LAB=03 SUBMISSIONS=FOLDER ... tests/class/grading/grade_class.sh --make [--OPTION VALUE]...
 #
 # Killed at any point, the same command goes on where it stopped. A signal ends it, with all that it has
 # started, within moments. A submission is graded when its
@@ -30,13 +12,45 @@
 # engine_parallel.sh; gradebook_tool.c, which reads the names and writes the gradebook.
 set -u
 
+# options: the options, a line each: the name, what it takes, what it is. make has them as variables, LIST=FILE,
+# and the command line as --list FILE. gradebook_tool.c has those that the gradebook is written with.
+options() {
+    cat <<'END'
+LAB          TEXT             the lab's number or name
+SUBMISSIONS  PATH             a folder, or a zip or tar archive of it, which is unpacked in the sandbox
+OUTPUT       PATH             where everything goes (build/class/03)
+ENGINE       parallel|slurm   how the submissions are spread (parallel)
+JOBS         N                how many at a time (parallel: as many as there are processors)
+SEED         N                a number in the place of the class's secret: for tests
+ONLY         failed|latest    only those below full marks; of a student's entries by Moodle the last
+AGAIN        TEXT             if 1, grade all, also where nothing has changed
+LIST         FILE             the participants: Moodle's worksheet, a gradebook of Canvas, ...
+MOODLE       FILE             the older name of LIST
+COLUMN       TEXT             which of its columns takes the grades, where it has several
+WHO          FILE             whose an entry is, where the instructor decides: entry, student, counts
+CHANGES      FILE             the instructor's corrections: student, task, points, comment, until
+POINTS       FILE             the instructor's own points, hints and limits; kept as OUTPUT/points.csv
+DUE          TEXT             the deadline: 2026-11-25 23:59 Europe/Berlin
+LATE         TEXT             what late work costs: 10%/day,2days
+AGAINST      FILE             an older gradebook.json, to compare scores with
+NOTHING      0|blank          what gradebooks have for who handed in nothing of this lab (blank)
+NAMES        no               also a page for the lecture hall, without names
+DEVICE       TEXT             as for build/tools/grade, and the next two
+TIME_LIMIT   TEXT             in seconds
+BUILD        PATH             the folder build
+END
+}
+names=$(options | sed 's/ .*//')
+
 # Of the caller's variables these go on, and no others: what a shell's profile holds for GNU parallel, cd, a
-# compiler or a driver must not decide who is graded, and how.
+# compiler or a driver must not decide who is graded, and how. Options only from make, which exports them.
 if [ "${1:-}" = --own-environment ]; then
     shift
 else
+    given=
+    [ "${1:-}" != --make ] || given=$names
     set -- sh "$0" --own-environment "$@"
-    for name in PATH HOME USER LOGNAME TMPDIR COURSE_SANDBOX CLASS_SECONDS \
+    for name in PATH HOME USER LOGNAME TMPDIR COURSE_SANDBOX CLASS_SECONDS $given \
         $(env | sed -n 's/^\(S\(LURM\|BATCH\)_[A-Z0-9_]*\)=.*/\1/p'); do
         eval "[ -z \"\${$name+given}\" ] || set -- \"$name=\$$name\" \"\$@\""
     done
@@ -59,80 +73,54 @@ put() {
 
 # ---- What is asked for --------------------------------------------------------------------------
 
-CLASS_LAB='' CLASS_FOLDER='' CLASS_BUILD=build CLASS_DEVICE='' CLASS_TIME_LIMIT=
-submissions='' engine=parallel jobs='' seed='' only='' again='' list='' column='' who='' changes='' points='' due='' late='' against=''
-nothing='' names=''
+# shellcheck disable=SC2086 # names
+if [ "${1:-}" = --make ]; then shift; else unset $names; fi
+for name in $names; do
+    eval "$name=\${$name:-}"
+done
 while [ $# -gt 0 ]; do
     [ $# -gt 1 ] || die "$1: expected a value"
-    case $1 in
-    --lab) CLASS_LAB=$2 ;;
-    --submissions) submissions=$2 ;;
-    --output) CLASS_FOLDER=$2 ;;
-    --build) CLASS_BUILD=$2 ;;
-    --engine) engine=$2 ;;
-    --jobs) jobs=$2 ;;
-    --seed) seed=$2 ;;
-    --only) only=$2 ;;
-    --again) again=$2 ;;
-    --list | --moodle)
-        [ -z "$list" ] || die "$1: found a list already, expected one: LIST=, or MOODLE=, its older name"
-        list=$2
-        ;;
-    --column) column=$2 ;;
-    --who) who=$2 ;;
-    --changes) changes=$2 ;;
-    --points) points=$2 ;;
-    --due) due=$2 ;;
-    --late) late=$2 ;;
-    --against) against=$2 ;;
-    --nothing) nothing=$2 ;;
-    --names) names=$2 ;;
-    --device) CLASS_DEVICE=$2 ;;
-    --time-limit) CLASS_TIME_LIMIT=$2 ;;
-    *) die "$1: no such option" ;;
-    esac
+    name=$(printf %s "$1" | sed -n 's/^--\([a-z-]*\)$/\1/p' | tr a-z- A-Z_)
+    options | grep -q "^${name:-no} " || die "$1: no such option"
+    eval "$name=\$2"
     shift 2
 done
 
-# whole OPTION TEXT: is it a whole number?
-whole() {
-    case $2 in
-    '' | *[!0-9]* | ?????????????????????*) die "$1: found \"$2\", expected a whole number" ;;
-    esac
-}
+# refuse EXPECTED: the value of an option.
+refuse() { die "--$(echo "$name" | tr A-Z_ a-z-): found \"$value\", expected $1"; }
 
-[ -n "$CLASS_LAB" ] || die "say which lab: LAB=03"
-[ -n "$submissions" ] || die "say where the submissions are: SUBMISSIONS=folder or archive"
-case $engine in
-parallel | slurm) ;;
-*) die "--engine: found \"$engine\", expected parallel or slurm" ;;
-esac
-case $only in
-'' | failed | latest) ;;
-*) die "--only: found \"$only\", expected failed or latest" ;;
-esac
-case $nothing in
-'' | 0 | blank) ;;
-*) die "--nothing: found \"$nothing\", expected 0 or blank" ;;
-esac
-case $names in
-'' | no) ;;
-*) die "--names: found \"$names\", expected no" ;;
-esac
-[ -z "$jobs" ] || whole --jobs "$jobs"
-[ "${jobs:-1}" -ge 1 ] || die "--jobs: found \"$jobs\", expected 1 or more"
-[ -z "$seed" ] || whole --seed "$seed"
-# No path shall look like an option.
-case $submissions in -*) submissions=./$submissions ;; esac
-case $CLASS_FOLDER in -*) CLASS_FOLDER=./$CLASS_FOLDER ;; esac
-case $list in -*) list=./$list ;; esac
-case $who in -*) who=./$who ;; esac
-case $changes in -*) changes=./$changes ;; esac
-case $points in -*) points=./$points ;; esac
-case $against in -*) against=./$against ;; esac
-for file in "$list" "$who" "$changes" "$points" "$against"; do
-    [ -z "$file" ] || [ -r "$file" ] || die "$file: cannot be read"
-done
+# Is each value what its option takes? No path shall look like an option.
+while read -r name takes _; do
+    eval "value=\$$name"
+    case $takes,$value in
+    *, | TEXT,*) ;;
+    PATH,-* | FILE,-*) eval "$name=./\$value" ;;
+    PATH,*) ;;
+    N,*[!0-9]* | N,?????????????????????*) refuse "a whole number" ;;
+    N,* | FILE,*) ;;
+    *) case "|$takes|,${value%%|*}" in
+        *"|$value|"*,"$value") ;;
+        *) refuse "$(echo "$takes" | sed 's/|/ or /')" ;;
+        esac ;;
+    esac
+    eval "value=\$$name"
+    [ "$takes" != FILE ] || [ -z "$value" ] || [ -r "$value" ] || die "$value: cannot be read"
+done <<END
+$(options)
+END
+[ -n "$LAB" ] || die "say which lab: LAB=03"
+[ -n "$SUBMISSIONS" ] || die "say where the submissions are: SUBMISSIONS=folder or archive"
+[ "${JOBS:-1}" -ge 1 ] || die "--jobs: found \"$JOBS\", expected 1 or more"
+NOTHING=${NOTHING:-blank}
+# As gradebook --make reads them. Nobody else has to know the seed.
+# shellcheck disable=SC2163 # names
+for name in $names; do export "$name"; done
+# shellcheck disable=SC2153 # set above
+seed=$SEED
+unset SEED
+# shellcheck disable=SC2153 # set above
+CLASS_LAB=$LAB CLASS_FOLDER=$OUTPUT CLASS_BUILD=${BUILD:-build} CLASS_DEVICE=$DEVICE CLASS_TIME_LIMIT=$TIME_LIMIT
+engine=${ENGINE:-parallel} submissions=$SUBMISSIONS
 command -v jq >/dev/null || die "jq is not here: install the package jq"
 [ -x "$CLASS_BUILD/tools/grade" ] || die "$CLASS_BUILD/tools/grade: not built; run make grader"
 # "3", "03" or the whole name.
@@ -230,18 +218,18 @@ if [ -f "$submissions" ]; then
 fi
 
 latest=
-[ "$only" != latest ] || latest=--latest
+[ "$ONLY" != latest ] || latest=--latest
 # shellcheck disable=SC2086 # an option or none
-attend "$CLASS_BUILD/tools/gradebook" roster $latest ${due:+--commits} "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
+attend "$CLASS_BUILD/tools/gradebook" roster $latest ${DUE:+--commits} "${lab_number:-0}" "$submissions" "$CLASS_FOLDER" \
     >"$CLASS_FOLDER/names" || exit 2
 
 # The instructor's own points: those that are given, or were for this class. As a manifest (class/points/points_tool.c).
 CLASS_MANIFEST=
 own=$CLASS_FOLDER/points.csv
-if [ -n "$points" ] || [ -e "$own" ]; then
+if [ -n "$POINTS" ] || [ -e "$own" ]; then
     CLASS_MANIFEST=$CLASS_FOLDER/lab.json
-    "$CLASS_BUILD/tools/points" "$CLASS_LAB" "${points:-$own}" "$CLASS_MANIFEST" || exit 2
-    { [ -z "$points" ] || { cp "$points" "$own.new" && mv "$own.new" "$own"; }; } ||
+    "$CLASS_BUILD/tools/points" "$CLASS_LAB" "${POINTS:-$own}" "$CLASS_MANIFEST" || exit 2
+    { [ -z "$POINTS" ] || { cp "$POINTS" "$own.new" && mv "$own.new" "$own"; }; } ||
         die "$own: cannot be written"
 else
     rm -f "$CLASS_FOLDER/lab.json"
@@ -268,15 +256,7 @@ attend "$CLASS_BUILD/tools/gradebook" contents "$CLASS_FOLDER" <"$CLASS_FOLDER/n
 rm "$CLASS_FOLDER/contents"
 
 # What the gradebook will be written with is read now, and not after hours.
-set --
-[ -z "$list" ] || set -- "$@" --list "$list"
-[ -z "$column" ] || set -- "$@" --column "$column"
-[ -z "$who" ] || set -- "$@" --who "$who"
-[ -z "$changes" ] || set -- "$@" --changes "$changes"
-[ -z "$due" ] || set -- "$@" --due "$due"
-[ -z "$late" ] || set -- "$@" --late "$late"
-[ -z "$against" ] || set -- "$@" --against "$against"
-attend "$CLASS_BUILD/tools/gradebook" check "$@" "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
+attend "$CLASS_BUILD/tools/gradebook" --make check "$CLASS_LAB" "$CLASS_FOLDER" || exit 2
 
 # results_say SLUG FILTER: does it say true of the results? Of an empty file jq says nothing, with status 0.
 results_say() { [ "$(jq "$2" "$CLASS_FOLDER/students/$1/results.json" 2>/dev/null)" = true ]; }
@@ -291,7 +271,7 @@ has_results() { results_say "$1" 'has("checks")'; }
 is_wanted() {
     old=
     [ ! -e "$CLASS_FOLDER/students/$1/key" ] || read -r old <"$CLASS_FOLDER/students/$1/key"
-    case $again$only in
+    case $AGAIN$ONLY in
     *failed) ! has_full_marks "$1" ;;
     '' | latest) [ "$old" != "$2" ] || ! has_results "$1" ;;
     *) true ;;
@@ -327,9 +307,9 @@ round=1
 while [ -s "$CLASS_FOLDER/todo" ] && [ $round -le 3 ]; do
     n_left=$(wc -l <"$CLASS_FOLDER/todo")
     [ $round -eq 1 ] || echo "grade-class: again for $n_left that could not be graded" >&2
-    engine_run "$CLASS_FOLDER/todo" "$jobs"
+    engine_run "$CLASS_FOLDER/todo" "$JOBS"
     remaining
     round=$((round + 1))
 done
 
-attend "$CLASS_BUILD/tools/gradebook" write "$@" --nothing "${nothing:-blank}" ${names:+--names "$names"} "$CLASS_FOLDER"
+attend "$CLASS_BUILD/tools/gradebook" --make write "$CLASS_FOLDER"

@@ -1,11 +1,12 @@
 // term: the gradebooks of several labs together.
 //
-//     term table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...
+//     term [--make] table [--pass POINTS] [--need N] [--excel] OUTPUT FOLDER...
 //     term figures OUTPUT FOLDER...
 //
 // Each FOLDER is one that grade-class has written. `table` writes OUTPUT/term.csv and term.html,
-// and prints what the instructor has to look at. `figures` writes OUTPUT/class-figures.json, and
-// prints which checks fail most often (term.h). Exit status: 0, or 2 after one message.
+// and prints what the instructor has to look at; with --make its options are make's PASS=, NEED=
+// and EXCEL=. `figures` writes OUTPUT/class-figures.json, and prints which checks fail most often
+// (term.h). Exit status: 0, or 2 after one message.
 #include "clean_text.h"
 #include "complain.h"
 #include "option_table.h"
@@ -120,7 +121,7 @@ int main(int argc, char **argv)
         {.name = "excel", .kind = OPTION_FLAG, .place = PLACE(excel)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
-    const OptionTable table = {"term", rows, N_ROWS, .takes_words = 1};
+    const OptionTable table = {"term", rows, N_ROWS, 1, N_ROWS - 1};
     TermOptions options = {.pass = 50};
     const OptionsResult result = option_table_read(&table, argc, argv, &options, NULL);
     if (result != OPTIONS_RUN) {
