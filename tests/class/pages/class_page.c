@@ -1,8 +1,9 @@
-// class.html: the class on one page (see gradebook.h).
+// class.html: the class on one page (see class_page.h).
 //
-// Streamed from top to bottom: how the class did, what went wrong how often, who is fastest where
-// that was measured, a row a submission, and all pictures. It links to the reports below its own
-// folder, so that the folder can be moved as a whole. Read next: class_page.h, its parts.
+// Its values are gathered here and filled into class.html, the template: how the class did, what
+// went wrong how often, who is fastest where that was measured, a row a submission, and all
+// pictures. It links to the reports below its own folder, so that the folder can be moved as a
+// whole. Read next: class.html; class_parts.c.
 #include "class_page.h"
 
 #include "complain.h"
@@ -11,12 +12,14 @@
 #include "lateness.h"
 #include "output_file.h"
 #include "tally.h"
+#include "template.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-void class_name_write(FILE *page, const Row *row)
+static void name_write(FILE *page, const void *about)
 {
+    const Row *row = about;
     const Entrant *entrant = row->entrant;
     if (row->number > 0) {
         fprintf(page, "No. %d", row->number);
@@ -33,6 +36,11 @@ void class_name_write(FILE *page, const Row *row)
     }
 }
 
+json_t *class_row(const Row *row)
+{
+    return json_pack("{s:o}", "who", template_markup(name_write, row));
+}
+
 // ---- The head --------------------------------------------------------------------------------
 
 static int scores_compare(const void *left, const void *right)
@@ -40,18 +48,25 @@ static int scores_compare(const void *left, const void *right)
     return *(const int *)left - *(const int *)right;
 }
 
-static void fact_write(FILE *page, const char *name, const char *value)
+__attribute__((format(printf, 4, 5))) static void fact_add(json_t *facts, const char *name,
+                                                           int is_short, const char *format, ...)
 {
-    fprintf(page, "<div><dt>%s</dt><dd>%s</dd></div>\n", name, value);
+    char value[64];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(value, sizeof value, format, arguments);
+    va_end(arguments);
+    json_array_append_new(
+        facts, json_pack("{s:s, s:s, s:b}", "fact", name, "value", value, "is_short", is_short));
 }
 
-static void facts_write(FILE *page, const Gradebook *gradebook)
+static json_t *facts_of(const Gradebook *gradebook)
 {
     int *scores = calloc((size_t)gradebook->n_rows + 1, sizeof *scores);
     int n = 0;  // those that count: an earlier attempt is no other student's
-    int n_graded = 0;
-    int n_full = 0;
+    int n_graded = 0, n_full = 0;
     double sum = 0;
+    json_t *facts = json_array();
     for (int i = 0; scores != NULL && i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
         n_graded += row_is_graded(row);
@@ -61,272 +76,203 @@ static void facts_write(FILE *page, const Gradebook *gradebook)
             n_full += row->score == gradebook->max_score;
         }
     }
-    char value[64];
-    fputs("<dl class=\"facts\">\n", page);
-    snprintf(value, sizeof value, "%d", gradebook->n_rows);
-    fact_write(page, "Submissions", value);
+    fact_add(facts, "Submissions", 0, "%d", gradebook->n_rows);
     if (n_graded + gradebook->n_nothing < gradebook->n_rows) {
-        fprintf(page, "<div><dt>Not graded</dt><dd class=\"short\">%d</dd></div>\n",
-                gradebook->n_rows - n_graded - gradebook->n_nothing);
+        fact_add(facts, "Not graded", 1, "%d", gradebook->n_rows - n_graded - gradebook->n_nothing);
     }
     if (n > 0) {
         qsort(scores, (size_t)n, sizeof *scores, scores_compare);
-        snprintf(value, sizeof value, "%.1f", sum / n);
-        fact_write(page, "Mean", value);
-        snprintf(value, sizeof value, "%.4g", (scores[(n - 1) / 2] + scores[n / 2]) / 2.0);
-        fact_write(page, "Median", value);
-        snprintf(value, sizeof value, "%d", n_full);
-        fact_write(page, "Full marks", value);
+        fact_add(facts, "Mean", 0, "%.1f", sum / n);
+        fact_add(facts, "Median", 0, "%.4g", (scores[(n - 1) / 2] + scores[n / 2]) / 2.0);
+        fact_add(facts, "Full marks", 0, "%d", n_full);
     }
-    fputs("</dl>\n", page);
     free(scores);
+    return facts;
 }
 
-//   tally   NULL on the page without names, which is not for those who have something to decide
-static void head_write(FILE *page, const Gradebook *gradebook, const Tally *tally,
-                       int has_leaderboard)
+static void tally_markup(FILE *file, const void *about)
 {
-    fputs("<header>\n<p class=\"lab\">", page);
-    html_line(page, gradebook->lab != NULL ? gradebook->lab : "");
-    fputs("</p>\n<h1>", page);
-    html_line(page, gradebook->title != NULL ? gradebook->title : "");
-    fputs(": the class</h1>\n", page);
-    if (tally != NULL) {
-        fputs("<p>", page);
-        tally_write(page, tally);
-        fputs(".</p>\n", page);
-    }
-    facts_write(page, gradebook);
-    class_histogram_write(page, gradebook);
-    fprintf(page,
-            "<nav><a href=\"#failures\">What went wrong</a> <a href=\"#tasks\">Tasks</a> "
-            "<a href=\"#checks\">Checks</a> %s"
-            "<a href=\"#table\">Every submission</a>%s</nav>\n"
-            "</header>\n",
-            has_leaderboard ? "<a href=\"#leaderboard\">Leaderboard</a> " : "",
-            tally != NULL ? " <a href=\"#gallery\">Pictures</a>" : "");
+    tally_write(file, about);
 }
 
-// A row of a list before the table: whose it is, and why it is listed.
-static void listed_write(FILE *page, const Row *row, const char *why)
-{
-    fputs("<tr><td class=\"name\">", page);
-    class_name_write(page, row);
-    fputs("</td><td class=\"first\">", page);
-    html_line(page, why);
-    if (row->has_log) {
-        fprintf(page, " <a href=\"logs/%s.txt\">what the grader said</a>", row->entrant->slug);
-    }
-    fputs("</td></tr>\n", page);
-}
+// ---- Lists before the table ------------------------------------------------------------------
+
+// Why a row is in a list; NULL: it is not.
+typedef const char *WhyListed(const Gradebook *gradebook, const Worksheet *worksheet,
+                              const Row *row);
 
 // What no check has judged, so that a score would say nothing.
-static void nothing_write(FILE *page, const Gradebook *gradebook)
+static const char *why_nothing(const Gradebook *gradebook, const Worksheet *worksheet,
+                               const Row *row)
 {
-    int n = 0;
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        const Row *row = &gradebook->rows[i];
-        if (row->status != ROW_NOTHING || row_that_counts(gradebook, row) != row) {
-            continue;
-        }
-        if (n++ == 0) {
-            fprintf(page,
-                    "<h2 class=\"section\" id=\"nothing\">Nothing of this lab</h2>\n"
-                    "<p class=\"soft\">These entries hold no file of the lab, or none that can be "
-                    "read. The gradebooks have %s for them (NOTHING=0 or NOTHING=blank).</p>\n"
-                    "<div class=\"card\"><table><tbody>\n",
-                    gradebook->nothing_is_zero ? "a zero" : "a blank");
-        }
-        listed_write(page, row, row->reason);
-    }
-    fputs(n > 0 ? "</tbody></table></div>\n" : "", page);
-}
-
-// Entries that were entered for nobody, or not for all of a team, or without a grade.
-static void undecided_write(FILE *page, const Gradebook *gradebook, const Worksheet *worksheet)
-{
-    int n = 0;
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        const Row *row = &gradebook->rows[i];
-        const char *why = tally_why_undecided(gradebook, worksheet, row);
-        if (why == NULL) {
-            continue;
-        }
-        if (n++ == 0) {
-            fputs(
-                "<h2 class=\"section\" id=\"undecided\">To be decided by you</h2>\n"
-                "<p class=\"soft\">It is not certain who handed these in, or when. So no grade is "
-                "entered. <code>who.csv</code>, in this folder or where you gave it, has a line "
-                "for each: write the student, or the time under <code>handed in</code>, and give "
-                "the file as <code>WHO=</code>.</p>\n"
-                "<div class=\"card\"><table><tbody>\n",
-                page);
-        }
-        listed_write(page, row, why);
-    }
-    fputs(n > 0 ? "</tbody></table></div>\n" : "", page);
-}
-
-static void passed_over_write(FILE *page, const Roster *roster)
-{
-    if (roster->n_passed_over == 0) {
-        return;
-    }
-    fputs(
-        "<h2 class=\"section\" id=\"passed-over\">Passed over</h2>\n"
-        "<p class=\"soft\">Files of which no name says whose they are. If one is a student's, put "
-        "it into a folder with the student's name. A list of a course system's name among them may "
-        "be a student's, so it decides nothing.</p>\n<div class=\"card\"><p class=\"names\">",
-        page);
-    for (int i = 0; i < roster->n_passed_over; i++) {
-        fputs(i > 0 ? " &middot; " : "", page);
-        html_line(page, roster->passed_over[i]);
-    }
-    fputs("</p></div>\n", page);
+    (void)worksheet;
+    return row->status == ROW_NOTHING && row_that_counts(gradebook, row) == row ? row->reason
+                                                                                : NULL;
 }
 
 // Apart from all others: nobody has judged these, and nobody may read a zero.
-static void not_graded_write(FILE *page, const Gradebook *gradebook)
+static const char *why_not_graded(const Gradebook *gradebook, const Worksheet *worksheet,
+                                  const Row *row)
 {
-    if (gradebook->n_graded + gradebook->n_nothing == gradebook->n_rows) {
-        return;
-    }
-    fputs("<h2 class=\"section\" id=\"not-graded\">Not graded</h2>\n"
-          "<p class=\"soft\">The grader itself could not work here. That is no zero: run the same "
-          "command again, it takes up only these.</p>\n<div class=\"card\"><table><tbody>\n",
-          page);
+    (void)gradebook, (void)worksheet;
+    return row->status == ROW_NOT_GRADED ? row->reason : NULL;
+}
+
+static json_t *listed_rows(const Gradebook *gradebook, const Worksheet *worksheet,
+                           WhyListed *why_listed)
+{
+    json_t *rows = json_array();
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row->status == ROW_NOT_GRADED) {
-            listed_write(page, row, row->reason);
+        const char *why = why_listed(gradebook, worksheet, row);
+        if (why != NULL) {
+            json_t *listed = class_row(row);
+            json_object_set_new(listed, "why", template_line(why));
+            if (row->has_log) {
+                json_object_set_new(listed, "log", json_string(row->entrant->slug));
+            }
+            json_array_append_new(rows, listed);
         }
     }
-    fputs("</tbody></table></div>\n", page);
+    return rows;
+}
+
+static json_t *passed_over_files(const Roster *roster)
+{
+    json_t *files = json_array();
+    for (int i = 0; i < roster->n_passed_over; i++) {
+        json_array_append_new(files,
+                              json_pack("{s:o}", "file", template_line(roster->passed_over[i])));
+    }
+    return files;
+}
+
+static json_t *lists_of(const Gradebook *gradebook, const Worksheet *worksheet)
+{
+    const struct {
+        const char *id, *title, *what;
+        WhyListed *why;  // NULL: it lists files
+    } all[] = {
+        {"nothing", "Nothing of this lab",
+         gradebook->nothing_is_zero
+             ? "These entries hold no file of the lab, or none that can be read. The gradebooks "
+               "have a zero for them (NOTHING=0 or NOTHING=blank)."
+             : "These entries hold no file of the lab, or none that can be read. The gradebooks "
+               "have a blank for them (NOTHING=0 or NOTHING=blank).",
+         why_nothing},
+        // Entered for nobody, or not for all of a team, or without a grade.
+        {"undecided", "To be decided by you",
+         "It is not certain who handed these in, or when. So no grade is entered. "
+         "<code>who.csv</code>, in this folder or where you gave it, has a line for each: write "
+         "the student, or the time under <code>handed in</code>, and give the file as "
+         "<code>WHO=</code>.",
+         tally_why_undecided},
+        {"passed-over", "Passed over",
+         "Files of which no name says whose they are. If one is a student's, put it into a folder "
+         "with the student's name. A list of a course system's name among them may be a "
+         "student's, so it decides nothing.",
+         NULL},
+        {"not-graded", "Not graded",
+         "The grader itself could not work here. That is no zero: run the same command again, it "
+         "takes up only these.",
+         why_not_graded},
+    };
+    json_t *lists = json_array();
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        const int has_files = all[i].why == NULL;
+        json_t *members = has_files ? passed_over_files(&gradebook->roster)
+                                    : listed_rows(gradebook, worksheet, all[i].why);
+        json_t *list =
+            json_pack("{s:s, s:s, s:s, s:b, s:O}", "id", all[i].id, "title", all[i].title, "what",
+                      all[i].what, "has_files", has_files, has_files ? "files" : "listed", members);
+        if (json_array_size(members) > 0) {
+            json_array_append(lists, list);
+        }
+        json_decref(members), json_decref(list);
+    }
+    return lists;
 }
 
 // ---- The table -------------------------------------------------------------------------------
 
-static void table_head_write(FILE *page, const Gradebook *gradebook)
+static void old_score_add(json_t *json, const Row *row)
 {
-    fputs("<thead><tr><th>Submission</th><th class=\"number\">Score</th>", page);
-    if (gradebook->has_old_scores) {
-        fputs("<th class=\"number\">Before</th>", page);
+    const int change = row->score - row->old_score;
+    char text[16] = "";
+    if (change != 0) {
+        snprintf(text, sizeof text, "%+d", change);
     }
-    for (int i = 0; i < gradebook->n_tasks; i++) {
-        fputs("<th class=\"number\" title=\"", page);
-        html_line(page, gradebook->tasks[i].title);
-        fputs("\">", page);
-        html_line(page, gradebook->tasks[i].id);
-        fprintf(page, "<br>of %d</th>", gradebook->tasks[i].max_points);
-    }
-    fputs("<th>First fault</th></tr></thead>\n", page);
-}
-
-static void old_score_write(FILE *page, const Row *row)
-{
-    fputs("<td class=\"number before\">", page);
     if (row->has_old_score) {
-        const int change = row->score - row->old_score;
-        fprintf(page, "%d", row->old_score);
-        if (change != 0) {
-            fprintf(page, " <b class=\"%s\">%+d</b>", change < 0 ? "short" : "gain", change);
-        }
-    } else {
-        fputs("&ndash;", page);
+        json_object_set_new(json, "old_score", json_integer(row->old_score));
+        json_object_set_new(json, "change", json_string(text));
+        json_object_set_new(json, "level", json_string(change < 0 ? "short" : "gain"));
     }
-    fputs("</td>", page);
 }
 
-static void row_write(FILE *page, const Gradebook *gradebook, const Row *row)
+static json_t *row_of(const Gradebook *gradebook, const Row *row)
 {
-    if (row->number > 0) {
-        fputs("<tr><td class=\"name\">", page);
-    } else {
-        fprintf(page, "<tr id=\"%s\"><td class=\"name\">", row->entrant->slug);
-    }
-    class_name_write(page, row);
-    if (row->status == ROW_OUTDATED) {
-        fputs(" <span class=\"soft\">outdated</span>", page);
-    }
-    if (corrections_has(gradebook, row)) {
-        fputs(" <a class=\"soft\" href=\"#corrections\">corrected</a>", page);
-    }
-    if (lateness_is_late(lateness_of(gradebook, row))) {
-        fputs(" <a class=\"soft\" href=\"#late\">late</a>", page);
-    }
-    if (row->time_unknown != NULL) {
-        fputs(" <a class=\"soft\" href=\"#undecided\">to be decided</a>", page);
-    }
-    fprintf(page, "</td><td class=\"number\"><b>%d</b> / %d", row->score, gradebook->max_score);
-    html_score_bar(page, row->score, gradebook->max_score);
-    fputs("</td>", page);
-    if (gradebook->has_old_scores) {
-        old_score_write(page, row);
-    }
+    json_t *json = class_row(row);
+    json_t *points = json_array();
     for (int i = 0; i < gradebook->n_tasks; i++) {
         const Column *task = &gradebook->tasks[i];
-        fprintf(page, "<td class=\"number task%s\" data-task=\"",
-                row->points[i] < task->max_points ? " short" : "");
-        html_line(page, task->id);
-        fprintf(page, "\">%d</td>", row->points[i]);
+        json_array_append_new(points,
+                              json_pack("{s:s, s:i, s:b}", "id", task->id, "n", row->points[i],
+                                        "is_short", row->points[i] < task->max_points));
     }
-    fputs("<td class=\"first\">", page);
+    json_object_update_new(
+        json,
+        json_pack("{s:s*, s:b, s:b, s:b, s:b, s:i, s:i, s:o, s:o}", "slug",
+                  row->number > 0 ? NULL : row->entrant->slug, "is_outdated",
+                  row->status == ROW_OUTDATED, "is_corrected", corrections_has(gradebook, row),
+                  "is_late", lateness_is_late(lateness_of(gradebook, row)), "is_open",
+                  row->time_unknown != NULL, "score", row->score, "max_score", gradebook->max_score,
+                  "bar", template_bar(row->score, gradebook->max_score), "points", points));
+    old_score_add(json, row);
     if (row->fault != NULL) {
-        fputs("<b>", page);
-        html_line(page, row->fault);
-        fputs("</b>\n<p class=\"message\">", page);
-        html_line(page, row->fault_message);
-        fputs("</p>", page);
+        json_object_set_new(json, "fault", template_line(row->fault));
+        json_object_set_new(json, "message", template_line(row->fault_message));
     }
-    fputs("</td></tr>\n", page);
+    return json;
 }
 
-static void table_write(FILE *page, const Gradebook *gradebook)
+static json_t *table_of(const Gradebook *gradebook)
 {
-    if (gradebook->n_graded == 0) {
-        return;
-    }
-    fputs("<h2 class=\"section\" id=\"table\">Every submission</h2>\n<div class=\"card\"><table>\n",
-          page);
-    table_head_write(page, gradebook);
-    fputs("<tbody>\n", page);
+    json_t *rows = json_array();
     for (int i = 0; i < gradebook->n_rows; i++) {
         if (row_is_graded(&gradebook->rows[i])) {
-            row_write(page, gradebook, &gradebook->rows[i]);
+            json_array_append_new(rows, row_of(gradebook, &gradebook->rows[i]));
         }
     }
-    fputs("</tbody>\n</table></div>\n", page);
+    return json_pack("{s:b, s:o}", "has_old", gradebook->has_old_scores, "graded", rows);
 }
 
 // ---- The page --------------------------------------------------------------------------------
 
-static void page_write(FILE *page, const Gradebook *gradebook, const Failures *failures,
+static json_t *page_of(const Gradebook *gradebook, const Failures *failures,
                        const LookAlikes *look_alikes, const Leaderboard *leaderboard,
                        const Worksheet *worksheet)
 {
     const Tally tally = tally_count(gradebook, worksheet, look_alikes->n_groups);
-    const int has_names = !gradebook->has_no_names;
-    char title[256];
-    snprintf(title, sizeof title, "%s: the class", gradebook->lab != NULL ? gradebook->lab : "");
-    html_album_begin(page, title);
-    head_write(page, gradebook, has_names ? &tally : NULL, leaderboard->n_places > 0);
-    if (has_names) {
-        nothing_write(page, gradebook);
-        undecided_write(page, gradebook, worksheet);
-        passed_over_write(page, &gradebook->roster);
-        not_graded_write(page, gradebook);
-        class_look_alikes_write(page, look_alikes);
-        class_corrections_write(page, gradebook);
-        class_late_write(page, gradebook);
-        class_changes_write(page, gradebook);
+    json_t *page = json_pack(
+        "{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "lab", template_line(gradebook->lab),
+        "title", template_line(gradebook->title), "facts", facts_of(gradebook), "bars",
+        class_bars(gradebook), "failures", class_failures(gradebook, failures), "tasks",
+        class_tasks(gradebook), "checks", class_checks(gradebook), "leaderboard",
+        class_leaderboard(gradebook, leaderboard), "pictures", class_pictures(gradebook));
+    if (gradebook->n_graded > 0) {
+        json_object_set_new(page, "table", table_of(gradebook));
     }
-    class_failures_write(page, gradebook, failures);
-    class_tasks_write(page, gradebook);
-    class_checks_write(page, gradebook);
-    class_leaderboard_write(page, gradebook, leaderboard);
-    table_write(page, gradebook);
-    class_gallery_write(page, gradebook);
-    html_page_end(page);
+    // The page without names is not for those who have something to decide.
+    if (!gradebook->has_no_names) {
+        json_object_update_new(page, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "tally",
+                                               template_markup(tally_markup, &tally), "lists",
+                                               lists_of(gradebook, worksheet), "look_alikes",
+                                               class_look_alikes(look_alikes), "corrections",
+                                               class_corrections(gradebook), "late",
+                                               class_late(gradebook), "compared",
+                                               class_compared(gradebook)));
+    }
+    return page;
 }
 
 int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet *worksheet)
@@ -339,8 +285,15 @@ int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet
     if (failures_find(gradebook, &failures) == 0 &&
         look_alikes_find(gradebook, &look_alikes) == 0 &&
         leaderboard_find(gradebook, &leaderboard) == 0 && output_file_open(&output, path) == 0) {
-        page_write(output.file, gradebook, &failures, &look_alikes, &leaderboard, worksheet);
-        result = output_file_commit(&output);
+        char title[256];
+        snprintf(title, sizeof title, "%s: the class",
+                 gradebook->lab != NULL ? gradebook->lab : "");
+        html_album_begin(output.file, title);
+        const int failed =
+            template_write(output.file, "tests/class/pages/class.html",
+                           page_of(gradebook, &failures, &look_alikes, &leaderboard, worksheet));
+        html_page_end(output.file);
+        result = template_commit(&output, failed);
     }
     failures_free(&failures);
     look_alikes_free(&look_alikes);
@@ -350,25 +303,32 @@ int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet
 
 // ---- Without names ---------------------------------------------------------------------------
 
+static int texts_compare(const char *a, const char *b)
+{
+    return a != NULL && b != NULL ? strcmp(a, b) : (b == NULL) - (a == NULL);
+}
+
 // The best first. Of equal scores the order is that of what the page shows of them, and not that of
 // their names.
 static int shown_compare(const void *left, const void *right)
 {
     const Row *a = left, *b = right;
-    int order = row_is_graded(b) - row_is_graded(a);
-    order = order != 0 ? order : b->score - a->score;
-    order = order != 0 ? order : memcmp(b->passed, a->passed, sizeof a->passed);
-    order = order != 0 ? order : memcmp(b->points, a->points, sizeof a->points);
-    order = order != 0 ? order : b->old_score - a->old_score;
-    order = order != 0 ? order : (int)a->status - (int)b->status;
-    order =
-        order != 0 ? order : (a->leaderboard < b->leaderboard) - (a->leaderboard > b->leaderboard);
-    order = order != 0 ? order : (a->fault != NULL) - (b->fault != NULL);
-    if (order == 0 && a->fault != NULL && b->fault != NULL) {
-        order = strcmp(a->fault, b->fault);
-        order = order != 0 ? order : strcmp(a->fault_message, b->fault_message);
+    const int orders[] = {
+        row_is_graded(b) - row_is_graded(a),
+        b->score - a->score,
+        memcmp(b->passed, a->passed, sizeof a->passed),
+        memcmp(b->points, a->points, sizeof a->points),
+        b->old_score - a->old_score,
+        (int)a->status - (int)b->status,
+        (a->leaderboard < b->leaderboard) - (a->leaderboard > b->leaderboard),
+        texts_compare(a->fault, b->fault),
+        texts_compare(a->fault_message, b->fault_message),
+    };
+    size_t i = 0;
+    while (i + 1 < sizeof orders / sizeof *orders && orders[i] == 0) {
+        i++;
     }
-    return order;
+    return orders[i];
 }
 
 int gradebook_page_without_names(const Gradebook *gradebook, const char *path)

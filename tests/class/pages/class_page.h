@@ -1,5 +1,4 @@
-// The files that a class is written into; then the parts of class.html, of which each writes a
-// section, or nothing where there is nothing to show.
+// The files that a class is written into, and the parts of class.html.
 #ifndef CLASS_PAGE_H
 #define CLASS_PAGE_H
 
@@ -8,6 +7,8 @@
 #include "leaderboard.h"
 #include "look_alikes.h"
 #include "worksheet.h"
+
+#include <jansson.h>
 
 // The three files. Each appears whole or not at all; return 0, or -1 after one message.
 //   worksheet   the list of participants, whose columns come first in the CSV then, and whose
@@ -20,43 +21,40 @@ int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet
 // nothing that a student wrote. Returns as above.
 int gradebook_page_without_names(const Gradebook *gradebook, const char *path);
 
-// A student's name, linked to the report, with the number of a later attempt.
-void class_name_write(FILE *page, const Row *row);
+// ---- For class.html, which is filled with these values (template.h) --------------------------
 
-// Whose names look like one person's; what the instructor has to decide.
-void class_look_alikes_write(FILE *page, const LookAlikes *look_alikes);
+// "who": a student's name, linked to the report, with the number of a later attempt.
+json_t *class_row(const Row *row);
 
-// How many have which score: a drawing, and the same in words.
-void class_histogram_write(FILE *page, const Gradebook *gradebook);
+// How many have which score: a bar for each range.
+json_t *class_bars(const Gradebook *gradebook);
 
-// Whose score is not what it was in the older gradebook.
-void class_changes_write(FILE *page, const Gradebook *gradebook);
+// Whose names look like one person's; what the instructor has to decide. NULL: nobody's.
+json_t *class_look_alikes(const LookAlikes *look_alikes);
 
-// What the instructor has corrected by hand; a row's alone as rows of a table: change, comment,
-// until.
-void class_corrections_write(FILE *page, const Gradebook *gradebook);
+// Whose score is not what it was in the older gradebook; what the instructor has corrected by hand;
+// who was late. NULL where that was not given.
+json_t *class_compared(const Gradebook *gradebook);
+json_t *class_corrections(const Gradebook *gradebook);
+json_t *class_late(const Gradebook *gradebook);
+
+// A row's corrections as rows of a table: change, comment, until.
 void class_correction_rows_write(FILE *page, const Gradebook *gradebook, const Row *row);
 
-// Who was late.
-void class_late_write(FILE *page, const Gradebook *gradebook);
-
-// All that went wrong, by cause, with who it happened to.
-void class_failures_write(FILE *page, const Gradebook *gradebook, const Failures *failures);
+// All that went wrong, by cause, with who it happened to. NULL: nothing did.
+json_t *class_failures(const Gradebook *gradebook, const Failures *failures);
 
 // A failure's cause, or else what was said of its first row; "" where that is not for the hall.
 const char *class_failure_words(const Failure *failure, int has_names);
 
-// How many answered each task.
-void class_tasks_write(FILE *page, const Gradebook *gradebook);
+// How many answered each task, and how many passed each check.
+json_t *class_tasks(const Gradebook *gradebook);
+json_t *class_checks(const Gradebook *gradebook);
 
-// How many passed each check.
-void class_checks_write(FILE *page, const Gradebook *gradebook);
-
-// Whose kernels are the fastest, where the lab has a race.
-void class_leaderboard_write(FILE *page, const Gradebook *gradebook,
-                             const Leaderboard *leaderboard);
+// Whose kernels are the fastest; NULL where the lab has no race.
+json_t *class_leaderboard(const Gradebook *gradebook, const Leaderboard *leaderboard);
 
 // The first picture of every report.
-void class_gallery_write(FILE *page, const Gradebook *gradebook);
+json_t *class_pictures(const Gradebook *gradebook);
 
 #endif

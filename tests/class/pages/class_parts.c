@@ -1,8 +1,7 @@
-// What the class has in common: distribution, changes, failures, checks, leaderboard, pictures (see
+// What the class has in common: distribution, failures, tasks, checks, leaderboard, pictures (see
 // class_page.h).
 #include "class_page.h"
-
-#include "html.h"
+#include "template.h"
 
 #include <string.h>
 
@@ -16,24 +15,25 @@ static int bar_of(const Gradebook *gradebook, int score)
     return score * (N_BARS - 1) / gradebook->max_score;
 }
 
-static void bar_label_write(FILE *page, const Gradebook *gradebook, int bar)
+static void bar_label_make(const Gradebook *gradebook, int bar, char label[32])
 {
     const int tenth = gradebook->max_score / (N_BARS - 1);
     if (bar == N_BARS - 1) {
-        fprintf(page, "%d", gradebook->max_score);
+        snprintf(label, 32, "%d", gradebook->max_score);
     } else if (tenth * (N_BARS - 1) == gradebook->max_score && tenth > 1) {
-        fprintf(page, "%d&ndash;%d", bar * tenth, (bar + 1) * tenth - 1);
+        snprintf(label, 32, "%d&ndash;%d", bar * tenth, (bar + 1) * tenth - 1);
     } else {
-        fprintf(page, "%d%%", 10 * bar);
+        snprintf(label, 32, "%d%%", 10 * bar);
     }
 }
 
-void class_histogram_write(FILE *page, const Gradebook *gradebook)
+json_t *class_bars(const Gradebook *gradebook)
 {
     int counts[N_BARS] = {0};
     int most = 4;  // so that one in a class of three is no tower
+    json_t *bars = json_array();
     if (gradebook->n_graded == 0 || gradebook->max_score == 0) {
-        return;
+        return bars;
     }
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
@@ -42,88 +42,55 @@ void class_histogram_write(FILE *page, const Gradebook *gradebook)
             most = count > most ? count : most;
         }
     }
-    fprintf(page,
-            "<figure class=\"card histogram\"><svg viewBox=\"0 0 %d %d\" role=\"img\" "
-            "aria-label=\"How many submissions have which score\">\n",
-            N_BARS * BAR_PITCH, BARS_HEIGHT + 44);
     for (int i = 0; i < N_BARS; i++) {
         const int height = counts[i] * BARS_HEIGHT / most;
+        const int shown = height > 2 ? height : 2;
         const int middle = i * BAR_PITCH + BAR_PITCH / 2;
         const char *level = counts[i] == 0    ? "none"
                             : i == N_BARS - 1 ? "full"
                             : i >= N_BARS / 2 ? "some"
                                               : "few";
-        char count[16] = "";
-        if (counts[i] > 0) {
-            snprintf(count, sizeof count, "%d", counts[i]);
-        }
-        fprintf(page,
-                "<rect class=\"%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\"/>"
-                "<text x=\"%d\" y=\"%d\">%s</text><text class=\"soft\" x=\"%d\" y=\"%d\">",
-                level, middle - BAR_WIDTH / 2, BARS_HEIGHT + 20 - (height > 2 ? height : 2),
-                BAR_WIDTH, height > 2 ? height : 2, middle, BARS_HEIGHT + 14 - height, count,
-                middle, BARS_HEIGHT + 38);
-        bar_label_write(page, gradebook, i);
-        fputs("</text>\n", page);
+        char label[32];
+        bar_label_make(gradebook, i, label);
+        json_array_append_new(
+            bars, json_pack("{s:s, s:i, s:i, s:i, s:i, s:i, s:o*, s:s}", "level", level, "x",
+                            middle - BAR_WIDTH / 2, "y", BARS_HEIGHT + 20 - shown, "height", shown,
+                            "middle", middle, "above", BARS_HEIGHT + 14 - height, "count",
+                            counts[i] > 0 ? json_integer(counts[i]) : NULL, "label", label));
     }
-    fputs("</svg></figure>\n", page);
+    return bars;
 }
 
 // ---- Look-alikes -----------------------------------------------------------------------------
 
-void class_look_alikes_write(FILE *page, const LookAlikes *look_alikes)
+json_t *class_look_alikes(const LookAlikes *look_alikes)
 {
-    if (look_alikes->n_groups == 0) {
-        return;
-    }
-    fputs("<h2 class=\"section\" id=\"look-alikes\">Perhaps one person</h2>\n"
-          "<p class=\"soft\">These names look alike, but nothing that a host wrote says whose they "
-          "are: each keeps its own row, and which one counts is yours to decide.</p>\n"
-          "<div class=\"card\">\n",
-          page);
+    json_t *groups = json_array();
     for (int i = 0; i < look_alikes->n_groups; i++) {
         const LookAlike *group = &look_alikes->groups[i];
-        fputs("<p class=\"failure\">", page);
+        json_t *rows = json_array();
         for (int r = 0; r < group->n_rows; r++) {
             const Row *row = group->rows[r];
-            fputs(r > 0 ? " &middot; " : "", page);
-            class_name_write(page, row);
+            json_t *json = class_row(row);
             if (strcmp(row->entrant->name, row->entrant->entry) != 0) {
-                fputs(" <code class=\"soft\">", page);
-                html_line(page, row->entrant->entry);
-                fputs("</code>", page);
+                json_object_set_new(json, "entry", template_line(row->entrant->entry));
             }
             if (row_is_graded(row)) {
-                fprintf(page, " <b class=\"number\">%d</b>", row->score);
+                json_object_set_new(json, "score", json_integer(row->score));
             }
+            json_array_append_new(rows, json);
         }
-        fputs("</p>\n", page);
+        json_array_append_new(groups, json_pack("{s:o}", "rows", rows));
     }
-    fputs("</div>\n", page);
+    json_t *section = look_alikes->n_groups > 0 ? json_pack("{s:O}", "alike", groups) : json_null();
+    json_decref(groups);
+    return section;
 }
 
 // ---- What went wrong -------------------------------------------------------------------------
 
 // The names of a larger group are folded away.
 enum { MOST_NAMES = 24 };
-
-static void names_write(FILE *page, const Row *const *rows, int n_rows)
-{
-    fputs("<p class=\"names\">", page);
-    for (int i = 0; i < n_rows; i++) {
-        fputs(i > 0 ? " &middot; " : "", page);
-        class_name_write(page, rows[i]);
-    }
-    fputs("</p>\n", page);
-}
-
-static void failure_picture_write(FILE *page, const Row *row)
-{
-    fprintf(page,
-            "<figure><a href=\"students/%s/report.html\"><img loading=\"lazy\" alt=\"one of the "
-            "pictures\" src=\"students/%s/%s\"></a></figure>\n",
-            row->entrant->slug, row->entrant->slug, row->picture);
-}
 
 // What a stage said quotes the student, and what is hidden is not for students: neither is on the
 // page without names.
@@ -135,70 +102,52 @@ const char *class_failure_words(const Failure *failure, int has_names)
     return is_ours ? words : "";
 }
 
-static void failure_write(FILE *page, const Failure *failure, int has_names)
+static json_t *failure_of(const Failure *failure, int has_names)
 {
-    fprintf(page, "<details class=\"failure\"%s><summary><span class=\"number\">%d</span><span><b>",
-            failure->n_rows <= MOST_NAMES ? " open" : "", failure->n_rows);
-    html_line(page, failure->title);
-    fputs("</b> <code class=\"soft\">", page);
-    html_line(page, failure->id);
-    fputs("</code><span class=\"message\">", page);
-    html_line(page, class_failure_words(failure, has_names));
-    fputs("</span></span></summary>\n", page);
-    if (has_names && failure->shown != NULL) {
-        failure_picture_write(page, failure->shown);
+    const Row *shown = has_names ? failure->shown : NULL;
+    json_t *rows = json_array();
+    for (int i = 0; i < failure->n_rows; i++) {
+        json_array_append_new(rows, class_row(failure->rows[i]));
     }
-    names_write(page, failure->rows, failure->n_rows);
-    fputs("</details>\n", page);
+    return json_pack("{s:b, s:i, s:o, s:s, s:o, s:s*, s:s*, s:o}", "is_open",
+                     failure->n_rows <= MOST_NAMES, "n", failure->n_rows, "title",
+                     template_line(failure->title), "id", failure->id, "words",
+                     template_line(class_failure_words(failure, has_names)), "slug",
+                     shown != NULL ? shown->entrant->slug : NULL, "picture",
+                     shown != NULL ? shown->picture : NULL, "rows", rows);
 }
 
-// Who handed in nothing of this lab, as one group: also where nobody has names.
-static void nothing_group_write(FILE *page, const Gradebook *gradebook)
+json_t *class_failures(const Gradebook *gradebook, const Failures *failures)
 {
-    int n = 0;
+    int n_nothing = 0, n_common = 0;
+    if (failures->n_failures == 0 && gradebook->n_nothing == 0) {
+        return json_null();
+    }
+    // Who handed in nothing of this lab, as one group: also where nobody has names.
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        n += row->status == ROW_NOTHING && row_that_counts(gradebook, row) == row;
+        n_nothing += row->status == ROW_NOTHING && row_that_counts(gradebook, row) == row;
     }
-    if (n > 0) {
-        fprintf(page,
-                "<div class=\"failure\"><div class=\"plain\"><span class=\"number\">%d</span>"
-                "<span><b>Nothing of this lab was handed in</b></span></div></div>\n",
-                n);
-    }
-}
-
-void class_failures_write(FILE *page, const Gradebook *gradebook, const Failures *failures)
-{
-    const int has_names = !gradebook->has_no_names;
-    int n = 0;
-    if (failures->n_failures == 0 && gradebook->n_nothing == 0) {
-        return;
-    }
-    fputs(
-        "<h2 class=\"section\" id=\"failures\">What went wrong</h2>\n"
-        "<p class=\"soft\">Every fault of everybody who counts, by its cause where that is known, "
-        "numbers aside. A task that was not answered is no fault.</p>\n"
-        "<div class=\"card\">\n",
-        page);
-    nothing_group_write(page, gradebook);
-    for (; n < failures->n_failures && failures->failures[n].n_rows > 1; n++) {
-        failure_write(page, &failures->failures[n], has_names);
+    while (n_common < failures->n_failures && failures->failures[n_common].n_rows > 1) {
+        n_common++;
     }
     // What happened to one only is folded away where others have something in common.
-    const int n_single = failures->n_failures - n, is_folded = n > 0 && n_single > 3;
-    if (is_folded) {
-        fprintf(page,
-                "<details class=\"more\"><summary>%d more, of one submission each</summary>\n",
-                n_single);
+    const int n_single = failures->n_failures - n_common;
+    const int is_folded = n_common > 0 && n_single > 3;
+    json_t *groups = json_array();
+    for (int i = 0; i < failures->n_failures; i++) {
+        json_t *group = failure_of(&failures->failures[i], !gradebook->has_no_names);
+        if (is_folded && i == n_common) {
+            json_object_set_new(group, "n_folded", json_integer(n_single));
+        }
+        json_array_append_new(groups, group);
     }
-    for (; n < failures->n_failures; n++) {
-        failure_write(page, &failures->failures[n], has_names);
-    }
-    fputs(is_folded ? "</details>\n</div>\n" : "</div>\n", page);
+    return json_pack("{s:o*, s:o, s:b}", "n_nothing",
+                     n_nothing > 0 ? json_integer(n_nothing) : NULL, "groups", groups, "is_folded",
+                     is_folded);
 }
 
-// ---- Tasks -----------------------------------------------------------------------------------
+// ---- Tasks and checks ------------------------------------------------------------------------
 
 // A check of the task that the row's result calls open: then the whole task is.
 static int is_answered(const Gradebook *gradebook, const Row *row, const Column *task)
@@ -211,57 +160,38 @@ static int is_answered(const Gradebook *gradebook, const Row *row, const Column 
     return 1;
 }
 
-static void task_write(FILE *page, const Gradebook *gradebook, int t)
+static json_t *task_of(const Gradebook *gradebook, int t)
 {
     const Column *task = &gradebook->tasks[t];
     int n_answered = 0, n_full = 0;
     double sum = 0;
+    char mean[32];
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (!row_is_counted(gradebook, row)) {
-            continue;
+        if (row_is_counted(gradebook, row)) {
+            n_answered += is_answered(gradebook, row, task);
+            n_full += row->points[t] == task->max_points;
+            sum += row->points[t];
         }
-        n_answered += is_answered(gradebook, row, task);
-        n_full += row->points[t] == task->max_points;
-        sum += row->points[t];
     }
-    fprintf(page, "<tr><td class=\"name\">%d. ", t + 1);
-    html_line(page, task->title);
-    fputs(" <code class=\"soft\">", page);
-    html_line(page, task->id);
-    fprintf(page,
-            "</code></td><td class=\"number\">%d</td><td class=\"number\">%d</td>"
-            "<td class=\"number\">%.1f of %d</td></tr>\n",
-            n_answered, n_full, n_answered > 0 ? sum / n_answered : 0.0, task->max_points);
+    snprintf(mean, sizeof mean, "%.1f", n_answered > 0 ? sum / n_answered : 0.0);
+    return json_pack("{s:i, s:o, s:s, s:i, s:i, s:s, s:i}", "number", t + 1, "title",
+                     template_line(task->title), "id", task->id, "n_answered", n_answered, "n_full",
+                     n_full, "mean", mean, "most", task->max_points);
 }
 
-void class_tasks_write(FILE *page, const Gradebook *gradebook)
+json_t *class_tasks(const Gradebook *gradebook)
 {
-    if (gradebook->n_tasks == 0) {
-        return;
-    }
-    fputs(
-        "<h2 class=\"section\" id=\"tasks\">Tasks</h2>\n<p class=\"soft\">In the order of the lab: "
-        "how many handed in an answer, and what it earned.</p>\n<div class=\"card\"><table><thead>"
-        "<tr><th>Task</th><th class=\"number\">Answered</th><th class=\"number\">All points</th>"
-        "<th class=\"number\">Mean of the answered</th></tr></thead><tbody>\n",
-        page);
+    json_t *tasks = json_array();
     for (int t = 0; t < gradebook->n_tasks; t++) {
-        task_write(page, gradebook, t);
+        json_array_append_new(tasks, task_of(gradebook, t));
     }
-    fputs("</tbody></table></div>\n", page);
+    return tasks;
 }
 
-// ---- Checks ----------------------------------------------------------------------------------
-
-void class_checks_write(FILE *page, const Gradebook *gradebook)
+json_t *class_checks(const Gradebook *gradebook)
 {
-    if (gradebook->n_checks == 0) {
-        return;
-    }
-    fputs("<h2 class=\"section\" id=\"checks\">How many passed each check</h2>\n"
-          "<div class=\"card\">\n",
-          page);
+    json_t *checks = json_array();
     for (int i = 0; i < gradebook->n_checks; i++) {
         int n_passed = 0, n_counted = 0;
         for (int r = 0; r < gradebook->n_rows; r++) {
@@ -270,15 +200,13 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
             n_counted += counts;
             n_passed += counts && row->passed[i];
         }
-        fputs("<div class=\"count\"><div>", page);
-        html_line(page, gradebook->checks[i].title);
-        fputs(" <code class=\"soft\">", page);
-        html_line(page, gradebook->checks[i].id);
-        fputs("</code></div>", page);
-        html_score_bar(page, n_passed, n_counted);
-        fprintf(page, "<span class=\"number\">%d of %d</span></div>\n", n_passed, n_counted);
+        json_array_append_new(checks, json_pack("{s:o, s:s, s:o, s:i, s:i}", "title",
+                                                template_line(gradebook->checks[i].title), "id",
+                                                gradebook->checks[i].id, "bar",
+                                                template_bar(n_passed, n_counted), "n_passed",
+                                                n_passed, "n_counted", n_counted));
     }
-    fputs("</div>\n", page);
+    return checks;
 }
 
 // ---- Leaderboard -----------------------------------------------------------------------------
@@ -286,63 +214,43 @@ void class_checks_write(FILE *page, const Gradebook *gradebook)
 // The page shows these; gradebook.json has all.
 enum { MOST_PLACES = 20 };
 
-static void place_write(FILE *page, const Place *place, double best)
-{
-    fprintf(page, "<div class=\"count\"><div><span class=\"rank number\">%d.</span> ", place->rank);
-    class_name_write(page, place->row);
-    fprintf(page,
-            "</div><div class=\"bar speed\"><div style=\"width: %.1f%%\"></div></div>"
-            "<span class=\"number\">%.1f</span></div>\n",
-            100 * place->row->leaderboard / best, place->row->leaderboard);
-}
-
-void class_leaderboard_write(FILE *page, const Gradebook *gradebook, const Leaderboard *leaderboard)
+json_t *class_leaderboard(const Gradebook *gradebook, const Leaderboard *leaderboard)
 {
     const int n = leaderboard->n_places;
-    if (n == 0) {
-        return;
-    }
-    fputs("<h2 class=\"section\" id=\"leaderboard\">Leaderboard</h2>\n<p class=\"soft\">How many ",
-          page);
-    html_line(page, gradebook->leaderboard);
-    fputs(", of those who have every point. Measured while grading, once each: what else the "
-          "machine did has changed it, and a submission can forge it. It is for fun, and gives and "
-          "costs no points.</p>\n<div class=\"card\">\n",
-          page);
+    json_t *places = json_array();
     for (int i = 0; i < n && i < MOST_PLACES; i++) {
-        place_write(page, &leaderboard->places[i], leaderboard->places[0].row->leaderboard);
+        const Place *place = &leaderboard->places[i];
+        const double own = place->row->leaderboard, best = leaderboard->places[0].row->leaderboard;
+        char width[16], figure[32];
+        snprintf(width, sizeof width, "%.1f", 100 * own / best);
+        snprintf(figure, sizeof figure, "%.1f", own);
+        json_t *json = class_row(place->row);
+        json_object_update_new(json, json_pack("{s:i, s:s, s:s}", "rank", place->rank, "width",
+                                               width, "figure", figure));
+        json_array_append_new(places, json);
     }
-    if (n > MOST_PLACES) {
-        fprintf(page, "<div class=\"count\"><div class=\"soft\">and %d more</div></div>\n",
-                n - MOST_PLACES);
-    }
-    fputs("</div>\n", page);
+    json_t *section =
+        n == 0 ? json_null()
+               : json_pack("{s:o, s:O, s:o*}", "counted", template_line(gradebook->leaderboard),
+                           "places", places, "n_more",
+                           n > MOST_PLACES ? json_integer(n - MOST_PLACES) : NULL);
+    json_decref(places);
+    return section;
 }
 
 // ---- Pictures --------------------------------------------------------------------------------
 
-void class_gallery_write(FILE *page, const Gradebook *gradebook)
+json_t *class_pictures(const Gradebook *gradebook)
 {
-    int n_pictures = 0;
-    for (int i = 0; i < gradebook->n_rows; i++) {
-        n_pictures += gradebook->rows[i].picture != NULL;
-    }
-    if (n_pictures == 0) {
-        return;
-    }
-    fputs("<h2 class=\"section\" id=\"gallery\">Every picture</h2>\n<div class=\"gallery\">\n",
-          page);
+    json_t *pictures = json_array();
     for (int i = 0; i < gradebook->n_rows; i++) {
         const Row *row = &gradebook->rows[i];
-        if (row->picture == NULL) {
-            continue;
+        if (row->picture != NULL) {
+            json_t *json = class_row(row);
+            json_object_update_new(json, json_pack("{s:s, s:s, s:i}", "slug", row->entrant->slug,
+                                                   "picture", row->picture, "score", row->score));
+            json_array_append_new(pictures, json);
         }
-        fprintf(page,
-                "<figure><a href=\"students/%s/report.html\"><img loading=\"lazy\" alt=\"picture\" "
-                "src=\"students/%s/%s\"></a><figcaption>",
-                row->entrant->slug, row->entrant->slug, row->picture);
-        class_name_write(page, row);
-        fprintf(page, " <span class=\"number\">%d</span></figcaption></figure>\n", row->score);
     }
-    fputs("</div>\n", page);
+    return pictures;
 }

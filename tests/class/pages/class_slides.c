@@ -1,4 +1,4 @@
-// Writing the slides (see class_slides.h).
+// Writing the slides (see class_slides.h). Read next: slides.html, the template.
 #include "class_slides.h"
 
 #include "class_page.h"
@@ -8,6 +8,7 @@
 #include "manifest.h"
 #include "output_file.h"
 #include "path.h"
+#include "template.h"
 
 #include <jansson.h>
 #include <limits.h>
@@ -15,30 +16,6 @@
 #include <unistd.h>
 
 enum { MOST_SLIDES = 5 };
-
-static const char slide_style[] =
-    "<style>\n"
-    "html { scroll-snap-type: y mandatory; }\n"
-    "main { max-width: none; padding: 0; }\n"
-    ".slide { min-height: 100vh; scroll-snap-align: start; padding: 6vh 6vw; display: flex;\n"
-    "  flex-direction: column; justify-content: center; gap: 3vh; font-size: clamp(1rem, 2.1vw, "
-    "2rem); }\n"
-    ".slide h1, .slide h2 { font-size: clamp(1.5rem, 3.6vw, 3.5rem); line-height: 1.15; }\n"
-    ".slide .lab, .slide .soft { font-size: 0.7em; }\n"
-    ".slide .cause { font-weight: 600; }\n"
-    ".slide .cause::first-letter { text-transform: uppercase; }\n"
-    ".slide .hint { border: 0; border-radius: 0.5rem; padding: 1rem 1.25rem; }\n"
-    ".slide .row { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 4vw;\n"
-    "  align-items: center; }\n"
-    ".slide .row > div { display: grid; gap: 3vh; }\n"
-    ".slide figure { margin-bottom: 2vh; }\n"
-    ".slide figure img { width: 100%; max-height: 34vh; object-fit: contain; object-position: "
-    "left;\n"
-    "  image-rendering: pixelated; }\n"
-    ".slide figcaption { font-size: 0.6em; }\n"
-    "@media (max-width: 50rem) { .slide .row { grid-template-columns: 1fr; } }\n"
-    "@media print { @page { size: 297mm 167mm; margin: 0; } .slide { break-after: page; } }\n"
-    "</style>\n";
 
 // ---- Pictures ----------------------------------------------------------------------------------
 
@@ -69,15 +46,13 @@ static int pair_find(const json_t *pictures)
     return found;
 }
 
-static void picture_write(FILE *page, const json_t *picture, const char *caption)
+static void uri_write(FILE *page, const void *picture)
 {
-    fprintf(page, "<figure><figcaption>%s</figcaption><img alt=\"\" src=\"", caption);
     html_picture_uri(page, json_string_value(json_object_get(picture, "url")));
-    fputs("\"></figure>\n", page);
 }
 
 // One of the wrong pictures beside what it should be. Nothing where there is none.
-static void pictures_write(FILE *page, const Gradebook *gradebook, const Row *row)
+static void pictures_add(json_t *slide, const Gradebook *gradebook, const Row *row)
 {
     char path[PATH_MAX];
     json_error_t error;
@@ -85,55 +60,32 @@ static void pictures_write(FILE *page, const Gradebook *gradebook, const Row *ro
     json_t *pictures = json_load_file(path, 0, &error);
     const int i = pair_find(pictures);
     if (i >= 0) {
-        fputs("<div>\n", page);
-        picture_write(page, json_array_get(pictures, (size_t)i), "one of those handed in");
-        picture_write(page, json_array_get(pictures, (size_t)i + 1), "as it should be");
-        fputs("</div>\n", page);
+        json_object_set_new(slide, "yours",
+                            template_markup(uri_write, json_array_get(pictures, (size_t)i)));
+        json_object_set_new(slide, "right",
+                            template_markup(uri_write, json_array_get(pictures, (size_t)i + 1)));
     }
     json_decref(pictures);
 }
 
 // ---- Slides ------------------------------------------------------------------------------------
 
-static void title_write(FILE *page, const Gradebook *gradebook, int n_slides)
-{
-    fputs("<section class=\"slide\"><p class=\"lab\">", page);
-    html_line(page, gradebook->lab);
-    fputs("</p><h1>", page);
-    html_line(page, gradebook->title);
-    fprintf(page, "</h1><p>%d submissions. ", gradebook->n_graded);
-    if (n_slides == 0) {
-        fputs("Nothing went wrong.</p></section>\n", page);
-    } else if (n_slides == 1) {
-        fputs("The most frequent mistake, and what helps.</p></section>\n", page);
-    } else {
-        fprintf(page, "The %d most frequent mistakes, and what helps.</p></section>\n", n_slides);
-    }
-}
-
-static void slide_write(FILE *page, const Gradebook *gradebook, const Manifest *manifest,
+static json_t *slide_of(const Gradebook *gradebook, const Manifest *manifest,
                         const Failure *failure, int number)
 {
     const Column *check = &gradebook->checks[failure->check];
     const Task *task = manifest_task(manifest, check->task);
-    fprintf(page, "<section class=\"slide\" id=\"slide-%d\"><p class=\"soft\">%d of %d, in ",
-            number, failure->n_rows, gradebook->n_graded);
-    html_line(page, task != NULL ? task->title : check->task);
-    fputs("</p><h2>", page);
-    html_line(page, failure->title);
-    fputs("</h2>\n<div class=\"row\"><div>\n<p class=\"cause\">", page);
-    html_line(page, class_failure_words(failure, 0));
-    fputs("</p>\n", page);
+    json_t *slide = json_pack(
+        "{s:i, s:i, s:o, s:o, s:o}", "number", number, "n_rows", failure->n_rows, "task",
+        template_line(task != NULL ? task->title : check->task), "mistake",
+        template_line(failure->title), "cause", template_line(class_failure_words(failure, 0)));
     if (task != NULL) {
-        fputs("<p class=\"hint\"><b>Hint</b> ", page);
-        html_line(page, manifest_hint(task, check->id));
-        fputs("</p>\n", page);
+        json_object_set_new(slide, "hint", template_line(manifest_hint(task, check->id)));
     }
-    fputs("</div>\n", page);
     if (failure->shown != NULL) {
-        pictures_write(page, gradebook, failure->shown);
+        pictures_add(slide, gradebook, failure->shown);
     }
-    fputs("</div></section>\n", page);
+    return slide;
 }
 
 // The mistakes that get a slide: those of the judge that most made, at most five, and none of a
@@ -159,14 +111,18 @@ static int slides_write(const Gradebook *gradebook, const Manifest *manifest,
         return -1;
     }
     const int n_slides = slides_choose(failures, chosen);
-    html_page_begin(output.file, gradebook->title);
-    fputs(slide_style, output.file);
-    title_write(output.file, gradebook, n_slides);
+    json_t *slides = json_array();
     for (int i = 0; i < n_slides; i++) {
-        slide_write(output.file, gradebook, manifest, chosen[i], i + 1);
+        json_array_append_new(slides, slide_of(gradebook, manifest, chosen[i], i + 1));
     }
+    json_t *page = json_pack(
+        "{s:o, s:o, s:i, s:b, s:o*, s:o}", "lab", template_line(gradebook->lab), "title",
+        template_line(gradebook->title), "n_graded", gradebook->n_graded, "is_one", n_slides == 1,
+        "n_slides", n_slides > 1 ? json_integer(n_slides) : NULL, "slides", slides);
+    html_page_begin(output.file, gradebook->title);
+    const int failed = template_write(output.file, "tests/class/pages/slides.html", page);
     html_page_end(output.file);
-    return output_file_commit(&output);
+    return template_commit(&output, failed);
 }
 
 int gradebook_slides(const Gradebook *gradebook, const char *path)
