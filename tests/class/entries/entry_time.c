@@ -1,9 +1,9 @@
 // Finding the time of an attempt (see entry_time.h).
 #include "entry_time.h"
 
-#include "evidence.h"
+#include "course_system.h"
 #include "export_entries.h"
-#include "ilias_name.h"
+#include "ilias.h"
 #include "path.h"
 
 #include <dirent.h>
@@ -22,28 +22,6 @@ typedef struct IliasFiles {
     char odd[ENTRY_NAME_BYTES];  // one that may be, in a language that is not known here; or ""
 } IliasFiles;
 
-// ILIAS has put "Late Submission - ", in its language, before the name, and made the whole ASCII.
-static int is_marked(const char *file)
-{
-    static const char *const marks[] = {"Late Submission - ", "Verspätete Abgabe - "};
-    char ascii[64];
-    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
-        ilias_name_make(marks[i], ascii, sizeof ascii);
-        if (strncmp(file, marks[i], strlen(marks[i])) == 0 ||
-            strncmp(file, ascii, strlen(ascii)) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-// In other languages the mark is other words, which have no digits.
-static int may_be_marked(const char *file)
-{
-    const char *end = strstr(file, " - ");
-    return end != NULL && strcspn(file, "0123456789") > (size_t)(end - file);
-}
-
 static void ilias_folder_look(const char *path, IliasFiles *files)
 {
     struct dirent *entry;
@@ -59,9 +37,9 @@ static void ilias_folder_look(const char *path, IliasFiles *files)
             if (strncmp(name, files->time, ILIAS_TIME_DIGITS) > 0) {
                 snprintf(files->time, sizeof files->time, "%.*s", ILIAS_TIME_DIGITS, name);
             }
-        } else if (is_marked(name)) {
+        } else if (ilias_is_marked(name)) {
             files->n_late++;
-        } else if (may_be_marked(name)) {
+        } else if (ilias_may_be_marked(name)) {
             entry_name_show(name, strlen(name), files->odd);
         }
     }
@@ -132,12 +110,6 @@ static EntryTime ilias_time(const Export *export, const IliasFiles *files, int i
 
 // ---- All ---------------------------------------------------------------------------------------
 
-// Does a system that writes no times mark what is late?
-static int has_marks(ExportSystem system)
-{
-    return system == SYSTEM_CANVAS;
-}
-
 // Have the files of an attempt by Stud.IP's list the same time?
 static int is_of_one_time(const Export *export, int begin, int end)
 {
@@ -172,8 +144,8 @@ EntryTime entry_time(const Export *export, int begin, int end, int is_version)
     } else if (time.from == SYSTEM_MOODLE) {
         text = "only Moodle's grading worksheet (LIST=) can say it";
         time.from = SYSTEM_NONE;
-    } else if (evidence_of(time.from)->time_writer != WRITER_SYSTEM ||
-               (text[0] == '\0' && !has_marks(time.from))) {
+    } else if (course_system(time.from)->time_writer != WRITER_SYSTEM ||
+               (text[0] == '\0' && !course_system(time.from)->has_marks)) {
         time.from = SYSTEM_NONE;
         text = "";
     }

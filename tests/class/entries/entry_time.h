@@ -7,7 +7,7 @@
 typedef struct EntryTime {
     char *text;  // for moment_read(), or "", or where `from` is SYSTEM_NONE what is there instead,
                  // in words; owned, NULL when memory runs out
-    ExportSystem from;  // by which row of the table in evidence.h
+    ExportSystem from;  // by which row of the table in course_system.h
     int is_late;        // the system marked the attempt as late
 } EntryTime;
 

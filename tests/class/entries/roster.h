@@ -5,7 +5,7 @@
 #ifndef CLASS_ROSTER_H
 #define CLASS_ROSTER_H
 
-#include "gradescope_names.h"
+#include "gradescope.h"
 #include "manifest.h"
 
 typedef struct Entrant {
@@ -16,7 +16,7 @@ typedef struct Entrant {
     char *slug;    // the name of its files; unique
     char *time;    // when it was handed in, as it is written there (moment.h), or ""; from nowhere:
                    // what is there instead, in words, or ""
-    ExportSystem time_from;  // where that is from, by the table of evidence.h
+    ExportSystem time_from;  // where that is from, by the table of course_system.h
     int is_late;             // the system marked it so
     int attempt;             // 1, 2 ... of entries that a system's export gives to one student
     int version;   // 1, 2 ... of several versions of a file (versions.h), rows in that order; or 0

@@ -1,6 +1,6 @@
 // The roster as JSON, between the driver's start and the gradebook (see roster.h).
 #include "complain.h"
-#include "evidence.h"
+#include "course_system.h"
 #include "output_file.h"
 #include "roster.h"
 
@@ -53,7 +53,7 @@ int roster_save(const Roster *roster, const char *path)
             "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:i, s:b, s:b, s:b, s:o}", "id",
             entrant->slug, "name", entrant->name, "label", entrant->label, "number",
             entrant->number, "entry", entrant->entry, "time", entrant->time, "time_from",
-            evidence_of(entrant->time_from)->title, "late", entrant->is_late, "attempt",
+            course_system(entrant->time_from)->title, "late", entrant->is_late, "attempt",
             entrant->attempt, "version", entrant->version, "exact", entrant->is_exact, "link",
             entrant->is_link, "team", entrant->is_team, "members", members_json(entrant));
         failed = json_array_append_new(list, entry) != 0;
@@ -101,7 +101,7 @@ static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
     }
     entrant->slug = strdup(slug), entrant->name = strdup(name), entrant->label = strdup(label);
     entrant->number = strdup(number), entrant->entry = strdup(entry);
-    entrant->time = strdup(time), entrant->time_from = evidence_find(time_from);
+    entrant->time = strdup(time), entrant->time_from = course_system_find(time_from);
     return entrant->slug == NULL || entrant->name == NULL || entrant->label == NULL ||
                    entrant->number == NULL || entrant->entry == NULL || entrant->time == NULL
                ? -1

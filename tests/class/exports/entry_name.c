@@ -14,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 // How long the readable part of a slug gets, and how much of a digest follows it: enough that
 // nobody finds a name for another's slug, which would be another's results.
@@ -49,80 +48,19 @@ void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYT
     text[n] = '\0';
 }
 
-// ---- The systems' patterns -------------------------------------------------------------------
-
-// Moodle: "NAME_NUMBER_assignsubmission_KIND_...", and without a number for those who are in no
-// team. Where the pattern stands twice, a student has put it into a name or a file's: then nobody
-// can tell where the name ends. Returns the length of the name, or 0.
-static int read_moodle(const char *entry, EntryName *name)
-{
-    static const char pattern[] = "_assignsubmission_";
-    const char *plugin = strstr(entry, pattern);
-    name->system = plugin != NULL ? SYSTEM_MOODLE : SYSTEM_NONE;
-    if (plugin == NULL || strstr(plugin + 1, pattern) != NULL) {
-        return 0;
-    }
-    const char *digits = plugin;
-    while (digits > entry && isdigit((unsigned char)digits[-1])) {
-        digits--;
-    }
-    const int n_digits = (int)(plugin - digits);
-    const int has_number =
-        n_digits > 0 && n_digits < ENTRY_NUMBER_BYTES && digits > entry && digits[-1] == '_';
-    const int length = (int)(has_number ? digits - 1 - entry : plugin - entry);
-    if (length > 0) {
-        snprintf(name->number, sizeof name->number, "%.*s", has_number ? n_digits : 0, digits);
-        name->is_text = strncmp(plugin, "_assignsubmission_onlinetext", 28) == 0;
-        const char *file = strchr(plugin + strlen(pattern), '_');
-        name->file = file != NULL && file[1] != '\0' ? (int)(file + 1 - entry) : 0;
-    }
-    return length;
-}
-
-// Gradescope: "submission_NUMBER"; the number is a submission's, the name stays as it is.
-static void read_gradescope(const char *entry, int length, EntryName *name)
-{
-    const char *digits = entry + strlen("submission_");
-    if (strncmp(entry, "submission_", strlen("submission_")) == 0) {
-        const int n_digits = (int)strspn(digits, "0123456789");
-        if (n_digits > 0 && n_digits < ENTRY_NUMBER_BYTES && digits + n_digits == entry + length) {
-            snprintf(name->number, sizeof name->number, "%.*s", n_digits, digits);
-        }
-    }
-}
-
-// GitHub Classroom: "lab-03-USER". Returns the length of what stands before the user's name, or 0.
-static int read_github(const char *entry, int lab_number)
-{
-    if (strncasecmp(entry, "lab", 3) != 0) {
-        return 0;
-    }
-    const char *digits = entry + 3 + (entry[3] == '-' || entry[3] == '_');
-    char *end;
-    if (!isdigit((unsigned char)digits[0]) || strtol(digits, &end, 10) != lab_number ||
-        (end[0] != '-' && end[0] != '_') || end[1] == '\0') {
-        return 0;
-    }
-    return (int)(end + 1 - entry);
-}
-
-size_t entry_name_number_length(const char *file)
-{
-    const size_t n_digits = file[0] == '[' ? strspn(file + 1, "0123456789") : 0;
-    return n_digits > 0 && strncmp(file + 1 + n_digits, "]_", 2) == 0 ? n_digits + 3 : 0;
-}
+// ---- Names -------------------------------------------------------------------------------------
 
 EntryName entry_name_read(const char *entry, int lab_number)
 {
     EntryName name = {0};
     int begin = 0;
-    int end = read_moodle(entry, &name);
+    int end = moodle_name_read(entry, &name);
     if (end == 0) {
         end = archive_stem_length(entry);
         end = end > 0 ? end : (int)strlen(entry);
-        begin = read_github(entry, lab_number) + (int)entry_name_number_length(entry);
+        begin = git_prefix_length(entry, lab_number) + (int)studip_number_length(entry);
         begin = begin < end ? begin : 0;
-        read_gradescope(entry, end, &name);
+        gradescope_name_read(entry, end, &name);
     }
     entry_name_show(entry + begin, (size_t)(end - begin), name.name);
     return name;

@@ -5,8 +5,8 @@
 #ifndef CLASS_ENTRY_NAME_H
 #define CLASS_ENTRY_NAME_H
 
+#include "course_system.h"
 #include "name_likeness.h"
-#include "system_names.h"
 
 enum { ENTRY_NUMBER_BYTES = 24 };
 
@@ -16,7 +16,7 @@ typedef struct EntryName {
     char name[ENTRY_NAME_BYTES];
     char number[ENTRY_NUMBER_BYTES];  // the system's number of the student or team: "1234567"
     char login[ENTRY_NAME_BYTES];     // what else a list may know the student by, or ""
-    char time[24];                    // of the attempt, as in system_names.h, or ""
+    char time[24];                    // of the attempt, as in course_system.h, or ""
     ExportSystem system;              // that made the name
     int file;                         // where the student's own name of a file begins, or 0
     int is_late;                      // the system marked the attempt as late
@@ -32,13 +32,18 @@ typedef struct EntryName {
 //   "[17]_ada.zip"                                  Stud.IP's, which numbers files
 EntryName entry_name_read(const char *entry, int lab_number);
 
-// Read it as one of the systems in system_names.h names its files, or its folders. Where it is not
+// Read it as one of the systems in course_system.h names its files, or its folders. Where it is not
 // such a name, the system is SYSTEM_NONE. Anybody may choose such a name: whether the system did is
 // seen by the other entries (export.c).
 EntryName entry_name_read_export(const char *entry, int is_folder, ExportSystem system);
 
-// How long the number is that Stud.IP puts before the name of a file, "[17]_"; 0: there is none.
-size_t entry_name_number_length(const char *file);
+// Parts of it, each in its system's file. Moodle's: how long the name is, or 0. What is before the
+// name: of GitHub's "lab-03-ada", of Stud.IP's "[17]_ada.zip"; 0 where there is nothing. The number
+// of Gradescope's "submission_123456".
+int moodle_name_read(const char *entry, EntryName *name);
+int git_prefix_length(const char *entry, int lab_number);
+size_t studip_number_length(const char *file);
+void gradescope_name_read(const char *entry, int length, EntryName *name);
 
 // Bytes of any kind, at most 255, as text that EntryName can hold: see there.
 void entry_name_show(const char *bytes, size_t n_bytes, char text[ENTRY_NAME_BYTES]);

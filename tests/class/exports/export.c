@@ -1,14 +1,12 @@
 // What a name that a system made says (see export.h).
 #include "export.h"
 
-#include "evidence.h"
-
 #include <string.h>
 
 int export_is_exact(const Export *export, const Found *found)
 {
     return found->name.system == export->system &&
-           evidence_of(found->name.system)->identity_writer == WRITER_SYSTEM;
+           course_system(found->name.system)->identity_writer == WRITER_SYSTEM;
 }
 
 int export_is_same_student(const Export *export, const Found *a, const Found *b)

@@ -6,7 +6,7 @@
 #define CLASS_EXPORT_H
 
 #include "entry_name.h"
-#include "gradescope_names.h"
+#include "gradescope.h"
 
 #include <limits.h>
 
@@ -41,12 +41,15 @@ typedef struct Export {
     GradescopeNames names;
 } Export;
 
-// Has a course system written whose it is, so that nobody else could (evidence.h)?
+// Has a course system written whose it is, so that nobody else could (course_system.h)?
 int export_is_exact(const Export *export, const Found *found);
 
 // Are two entries one student's, by names that a course system made? Any other name is chosen by
 // whoever hands in, and "ada-2" may be anybody's.
 int export_is_same_student(const Export *export, const Found *a, const Found *b);
+
+// Of clones of an assignment, "rays-ada", "rays-bob", "rays-cy": take the common prefix off.
+void git_clones_name(Export *export);
 
 // The end of the attempt that begins with entry i: one entry, or all of a student's single files.
 int export_attempt_end(const Export *export, int i);

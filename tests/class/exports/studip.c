@@ -220,7 +220,7 @@ static void owner_give(const StudipFile *listed, int n_behind, Found *found)
         return;  // an account that is gone
     }
     found->name =
-        (EntryName){.system = SYSTEM_STUDIP, .file = (int)entry_name_number_length(found->file)};
+        (EntryName){.system = SYSTEM_STUDIP, .file = (int)studip_number_length(found->file)};
     entry_name_show(owner, (size_t)n, found->name.name);
     snprintf(found->name.time, sizeof found->name.time, "%s", listed->date);
     memcpy(found->listed_time, found->name.time, sizeof found->listed_time);
@@ -325,3 +325,17 @@ int studip_names_read(Export *export)
     }
     return 0;
 }
+
+size_t studip_number_length(const char *file)
+{
+    const size_t n_digits = file[0] == '[' ? strspn(file + 1, "0123456789") : 0;
+    return n_digits > 0 && strncmp(file + 1 + n_digits, "]_", 2) == 0 ? n_digits + 3 : 0;
+}
+
+const CourseSystem studip_system = {
+    .title = "Stud.IP",
+    .identity = "`archive_filelist.csv` above the folder of the files",
+    .identity_writer = WRITER_SYSTEM,
+    .time = "`archive_filelist.csv` above the folder of the files",
+    .time_writer = WRITER_SYSTEM,
+};

@@ -5,7 +5,7 @@
 
 #include "complain.h"
 #include "contents.h"
-#include "export_system.h"
+#include "ilias.h"
 #include "studip.h"
 
 #include <dirent.h>

@@ -4,7 +4,7 @@
 #include "export_level.h"
 
 #include "complain.h"
-#include "evidence.h"
+#include "course_system.h"
 #include "export_entries.h"
 #include "export_system.h"
 #include "path.h"
@@ -104,7 +104,7 @@ static int is_too_high(const Export *export, int lab_number, char inner[PATH_MAX
     if (below.system != SYSTEM_NONE) {
         complain("gradebook: %s: the only entry, whose files look as if %s had named them; if it "
                  "is the export, %sgive this folder",
-                 inner, evidence_of(below.system)->title, unpack_first(export));
+                 inner, course_system(below.system)->title, unpack_first(export));
     }
     return 0;
 }

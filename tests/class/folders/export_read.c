@@ -4,7 +4,7 @@
 #include "export_read.h"
 
 #include "complain.h"
-#include "evidence.h"
+#include "course_system.h"
 #include "export_entries.h"
 #include "export_level.h"
 #include "export_system.h"
@@ -54,7 +54,7 @@ static void plain_tell(const Export *export)
     if (n > 0) {
         char shown[ENTRY_NAME_BYTES];
         entry_name_show(first->file, strlen(first->file), shown);
-        const char *title = evidence_of(export->system)->title;
+        const char *title = course_system(export->system)->title;
         complain("gradebook: %s: most names are as %s makes them, so they say whose the files are; "
                  "%d are not, such as \"%s\": if this folder is not %s' export, move the files "
                  "that look so out of it",
@@ -85,45 +85,6 @@ static int names_settle(Export *export)
     }
     export->n_found = n;
     return failed ? export_fault(export->path, "out of memory") : 0;
-}
-
-// The prefix that all clones of an assignment have, "rays-" of "rays-ada", "rays-bob", "rays-cy":
-// of folders that are repositories. Two may have part of a name in common. Returns its length, or
-// 0.
-static size_t clones_prefix(const Export *export)
-{
-    size_t length = 0;
-    for (int i = 0; i < export->n_found; i++) {
-        char repository[PATH_MAX];
-        struct stat status;
-        const char *file = export->found[i].file, *first = export->found[0].file;
-        path_make(repository, "%s/%s/.git", export->path, file);
-        if (lstat(repository, &status) != 0) {
-            return 0;
-        }
-        size_t n = i == 0 ? strlen(file) : 0;
-        while (i > 0 && n < length && file[n] == first[n]) {
-            n++;
-        }
-        length = n;
-    }
-    while (length > 0 && export->found[0].file[length - 1] != '-') {
-        length--;
-    }
-    return length;
-}
-
-static void clones_name(Export *export)
-{
-    enum { FEWEST = 3 };
-    const Found *first = export->found;
-    // "lab03-ada" was read already.
-    const int is_plain = export->n_found >= FEWEST && strcmp(first->name.name, first->file) == 0;
-    const size_t length = is_plain ? clones_prefix(export) : 0;
-    for (int i = 0; length > 0 && i < export->n_found; i++) {
-        const char *name = export->found[i].file + length;
-        entry_name_show(name, strlen(name), export->found[i].name.name);
-    }
 }
 
 static void passed_over_tell(const Export *export)
@@ -241,7 +202,7 @@ int export_read(const char *submissions, int is_unpacked, int lab_number, Export
         }
         passed_over_tell(export);
         export_teams_tell(export);
-        clones_name(export);
+        git_clones_name(export);
     }
     if (result == 0 && export->n_found > 1) {
         qsort(export->found, (size_t)export->n_found, sizeof *export->found, found_compare);

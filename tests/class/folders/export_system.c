@@ -1,4 +1,4 @@
-// Deciding by all names together (see export_system.h). Read next: system_names.h, the patterns.
+// Deciding by all names together (see export_system.h). Read next: course_system.h, the patterns.
 #include "export_system.h"
 
 #include "complain.h"

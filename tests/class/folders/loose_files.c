@@ -6,6 +6,7 @@
 #include "complain.h"
 #include "entry_content.h"
 #include "file_names.h"
+#include "ilias.h"
 #include "path.h"
 
 #include <ctype.h>

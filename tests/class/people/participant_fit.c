@@ -2,7 +2,7 @@
 #include "participant_fit.h"
 
 #include "complain.h"
-#include "ilias_name.h"
+#include "ilias.h"
 #include "name_likeness.h"
 
 #include <ctype.h>

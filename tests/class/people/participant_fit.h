@@ -48,7 +48,7 @@ size_t fits_behind_team(const Worksheet *worksheet, const Participant *participa
 int fits_key(const Worksheet *worksheet, const Participant *participant, const Member *member);
 
 // Are these the participant's names and login, "Lovelace_Ada_ada", as ILIAS has them in one,
-// perhaps in ASCII (ilias_name.h), and VPL with blanks? Any of them may have underscores.
+// perhaps in ASCII (ilias.h), and VPL with blanks? Any of them may have underscores.
 int fits_name_with_login(const Worksheet *worksheet, const Participant *participant,
                          const Member *member);
 

@@ -4,8 +4,8 @@
 #include "lateness.h"
 
 #include "complain.h"
+#include "course_system.h"
 #include "decisions.h"
-#include "evidence.h"
 #include "moment.h"
 
 #include <stdarg.h>
@@ -138,7 +138,7 @@ static int entrant_read(const Lateness *lateness, const Entrant *entrant, LateRo
 {
     char shown[MOMENT_BYTES];
     time_t moment;
-    const SystemEvidence *evidence = evidence_of(entrant->time_from);
+    const CourseSystem *evidence = course_system(entrant->time_from);
     const int has_time = moment_read(entrant->time, &moment) == 0;
     switch (evidence->time_writer) {
     case WRITER_STUDENT:

@@ -1,7 +1,7 @@
 // Telling of lateness: in a line, on the terminal (see lateness.h).
 #include "lateness.h"
 
-#include "evidence.h"
+#include "course_system.h"
 #include "moment.h"
 
 #include <stdio.h>
@@ -61,7 +61,7 @@ const char *lateness_marks_find(const Gradebook *gradebook, int *n)
     *n = 0;
     for (int i = 0; i < gradebook->n_rows; i++) {
         if (gradebook->lateness->rows[i].is_unmarked) {
-            system = evidence_of(gradebook->rows[i].entrant->time_from)->title;
+            system = course_system(gradebook->rows[i].entrant->time_from)->title;
             (*n)++;
         }
     }

@@ -1,9 +1,37 @@
-// Writing names as ILIAS does (see ilias_name.h). Its rules are in ilFileUtils::getASCIIFilename().
-#include "ilias_name.h"
+// ILIAS: a folder "Lovelace_Ada_ada_1234" (see ilias.h, course_system.h). How it writes names in
+// ASCII is in ilFileUtils::getASCIIFilename().
+#include "ilias.h"
 
 #include "utf8.h"
 
 #include <string.h>
+
+// ---- Names -------------------------------------------------------------------------------------
+
+static SystemName read_ilias(const char *entry)
+{
+    NamePart parts[NAME_PARTS];
+    SystemName name = {0};
+    if (name_matches("^(.+)_([^_]+)_([0-9]+)$", entry, parts)) {
+        name.system = SYSTEM_ILIAS;
+        name.name = parts[1], name.login = parts[2], name.number = parts[3];
+    }
+    return name;
+}
+
+int ilias_name_is_whole(const char *entry)
+{
+    NamePart parts[NAME_PARTS];
+    return name_matches("^.+_.*_[^_]+_[0-9]+$", entry, parts);
+}
+
+size_t ilias_time_length(const char *file)
+{
+    NamePart parts[NAME_PARTS];
+    return name_matches("^([0-9]{14}_[0-9]+_).", file, parts) ? parts[1].length : 0;
+}
+
+// ---- ASCII -------------------------------------------------------------------------------------
 
 // PHP knows the letters of Latin-1 and Greek, and some signs, by names such as "eacute" and
 // "rsquo", of which the first letter stays.
@@ -71,3 +99,36 @@ void ilias_name_make(const char *name, char *ascii, size_t n_ascii)
     }
     ascii[n] = '\0';
 }
+
+// ---- Late work ---------------------------------------------------------------------------------
+
+// ILIAS has put "Late Submission - ", in its language, before the name, and made the whole ASCII.
+int ilias_is_marked(const char *file)
+{
+    static const char *const marks[] = {"Late Submission - ", "Verspätete Abgabe - "};
+    char ascii[64];
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
+        ilias_name_make(marks[i], ascii, sizeof ascii);
+        if (strncmp(file, marks[i], strlen(marks[i])) == 0 ||
+            strncmp(file, ascii, strlen(ascii)) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// In other languages the mark is other words, which have no digits.
+int ilias_may_be_marked(const char *file)
+{
+    const char *end = strstr(file, " - ");
+    return end != NULL && strcspn(file, "0123456789") > (size_t)(end - file);
+}
+
+const CourseSystem ilias_system = {
+    .title = "ILIAS",
+    .identity = "the name of the student's folder",
+    .identity_writer = WRITER_SYSTEM,
+    .time = "the time before the name of each file; newer releases write only a mark",
+    .time_writer = WRITER_SYSTEM,
+    .read = read_ilias,
+};

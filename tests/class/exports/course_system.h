@@ -1,12 +1,17 @@
-// What a course system writes before the name of a file, or makes the name of a folder: who handed
-// it in, when, and under which number. Used by entry_name.c alone.
+// What a course system writes: before the name of a file, or as the name of a folder, who handed it
+// in, when, and under which number. And who could have written the same: what a student can write
+// never decides alone, it is shown, and left to the instructor.
+//
+// Each system has a file of its own, with a CourseSystem. Their texts are the table in
+// tests/INSTRUCTORS.md; a test compares the two. To add one: such a file, and its name in the enum
+// and in the table of course_system.c.
 //
 // A student chooses the file's own name, which comes last: so each pattern is looked for from the
 // front, and what looks like a second one further back belongs to the file's name. It may look like
 // another system's pattern: so which system made an export is seen by all entries together
-// (export.c), and each entry is read as that system's.
-#ifndef CLASS_SYSTEM_NAMES_H
-#define CLASS_SYSTEM_NAMES_H
+// (export_system.h), and each entry is read as that system's. Read next: canvas.c.
+#ifndef CLASS_COURSE_SYSTEM_H
+#define CLASS_COURSE_SYSTEM_H
 
 #include <stddef.h>
 
@@ -18,8 +23,8 @@ typedef enum ExportSystem {
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
     SYSTEM_VPL,
-    // Not by names: by a list of files (studip.h, gradescope_names.h), a repository
-    // (commits.h), or what the instructor says.
+    // Not by names: by a list of files (studip.h, gradescope.h), a repository (commits.h), or what
+    // the instructor says.
     SYSTEM_STUDIP,
     SYSTEM_GRADESCOPE,
     SYSTEM_GIT,
@@ -44,6 +49,35 @@ typedef struct SystemName {
     int is_note;          // written by the system about the attempt, not handed in as a file
 } SystemName;
 
+typedef enum Writer {
+    WRITER_NOBODY,  // there is no such information
+    WRITER_STUDENT,
+    WRITER_SYSTEM,
+    WRITER_INSTRUCTOR
+} Writer;
+
+// "no", "a student", "the system", "you": as the table in tests/INSTRUCTORS.md says it.
+const char *writer_words(Writer writer);
+
+typedef struct CourseSystem {
+    const char *title;     // for messages
+    const char *identity;  // where it is written whose a submission is
+    Writer identity_writer;
+    const char *time;  // where it is written when it was handed in
+    Writer time_writer;
+    int has_marks;                          // it writes no times, but marks what is late
+    SystemName (*read)(const char *entry);  // NULL: names are not this system's
+    int (*is_possible)(const char *entry);  // system_name_is_possible(); NULL: as it can be read
+} CourseSystem;
+
+extern const CourseSystem moodle_system, canvas_system, blackboard_system, brightspace_system,
+    ilias_system, vpl_system, studip_system, gradescope_system, git_system;
+
+const CourseSystem *course_system(ExportSystem system);
+
+// The system with a title; SYSTEM_NONE for any other text.
+ExportSystem course_system_find(const char *title);
+
 // Read a name as that system's. One that is not has SYSTEM_NONE.
 //   lovelaceada_40012_880036_file.cl, lovelaceada_LATE_40012_880036_file-1.cl    Canvas
 //   lovelaceada_40012_text.html                                                  Canvas, typed text
@@ -58,12 +92,8 @@ SystemName system_name_read(const char *entry, ExportSystem system);
 // not be read, as a student's part looks like the system's: they still show which system it was.
 int system_name_is_possible(const char *entry, ExportSystem system);
 
-// Has a folder's name all four parts of ILIAS', last name, first name, login and number? Of three,
-// "lab_ada_2", only the files in it say that it is ILIAS'.
-int ilias_name_is_whole(const char *entry);
-
-// Older releases of ILIAS put the time before each file's name, "20261103102233_17_file.cl".
-// Returns how long that is, or 0.
-size_t ilias_time_length(const char *file);
+// Does a text match a regular expression? The parts of its groups, the whole being the first.
+enum { NAME_PARTS = 8 };
+int name_matches(const char *pattern, const char *text, NamePart parts[NAME_PARTS]);
 
 #endif

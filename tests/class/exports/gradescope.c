@@ -1,4 +1,4 @@
-// A reader of the few lines that matter here (see gradescope_names.h):
+// A reader of the few lines that matter here (see gradescope.h):
 //
 //     submission_123456:
 //       :submitters:
@@ -10,7 +10,7 @@
 //
 // YAML can do far more than that. What does not look like this is passed over: further down stands
 // what the submission printed, which must not name anybody.
-#include "gradescope_names.h"
+#include "gradescope.h"
 
 #include "complain.h"
 #include "entry_name.h"
@@ -255,3 +255,23 @@ void gradescope_names_join(const GradescopeEntry *entry, char text[ENTRY_NAME_BY
         }
     }
 }
+
+// Gradescope: "submission_NUMBER"; the number is a submission's, the name stays as it is.
+void gradescope_name_read(const char *entry, int length, EntryName *name)
+{
+    const char *digits = entry + strlen("submission_");
+    if (strncmp(entry, "submission_", strlen("submission_")) == 0) {
+        const int n_digits = (int)strspn(digits, "0123456789");
+        if (n_digits > 0 && n_digits < ENTRY_NUMBER_BYTES && digits + n_digits == entry + length) {
+            snprintf(name->number, sizeof name->number, "%.*s", n_digits, digits);
+        }
+    }
+}
+
+const CourseSystem gradescope_system = {
+    .title = "Gradescope",
+    .identity = "`submission_metadata.yml` beside folders `submission_N`",
+    .identity_writer = WRITER_SYSTEM,
+    .time = "`submission_metadata.yml`",
+    .time_writer = WRITER_SYSTEM,
+};

@@ -1,7 +1,7 @@
 // Who handed in what, in Gradescope's export: submission_metadata.yml, beside folders
 // submission_NUMBER.
-#ifndef CLASS_GRADESCOPE_NAMES_H
-#define CLASS_GRADESCOPE_NAMES_H
+#ifndef CLASS_GRADESCOPE_H
+#define CLASS_GRADESCOPE_H
 
 #include "entry_name.h"
 
