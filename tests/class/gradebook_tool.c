@@ -24,9 +24,8 @@
 // gradebook.h; grade_class.sh, which calls all but the last.
 #include "class_keys.h"
 #include "class_page.h"
-#include "class_slides.h"
 #include "clean_text.h"
-#include "commits.h"
+#include "roster.h"
 #include "complain.h"
 #include "corrections.h"
 #include "decisions.h"

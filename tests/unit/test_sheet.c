@@ -1,6 +1,5 @@
 // class/texts/sheet_number and sheet_text: lists as course systems and spreadsheets write them.
-#include "sheet_number.h"
-#include "sheet_text.h"
+#include "sheet.h"
 #include "surroundings.h"
 
 #include <stdlib.h>

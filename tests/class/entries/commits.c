@@ -1,5 +1,5 @@
-// Asking Git in the sandbox (see commits.h).
-#include "commits.h"
+// Asking Git in the sandbox (see roster.h).
+#include "roster.h"
 
 #include "complain.h"
 #include "moment.h"

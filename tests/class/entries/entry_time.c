@@ -2,7 +2,7 @@
 #include "entry_time.h"
 
 #include "course_system.h"
-#include "export_entries.h"
+#include "export_read.h"
 #include "ilias.h"
 #include "path.h"
 

@@ -4,14 +4,13 @@
 // export.h, loose_files.h, grade_class.sh.
 #include "roster.h"
 
-#include "complain.h"
 #include "entry_time.h"
-#include "export_entries.h"
 #include "export_read.h"
 #include "file_names.h"
 #include "folder.h"
 #include "loose_files.h"
 #include "path.h"
+#include "sheet.h"
 #include "versions.h"
 
 #include <dirent.h>
@@ -21,12 +20,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-static int fault(const char *path, const char *what)
-{
-    complain("gradebook: %s: %s", path, what);
-    return -1;
-}
 
 // ---- The roster ------------------------------------------------------------------------------
 
@@ -57,7 +50,7 @@ static int link_make(const char *target, const char *name, const char *links, co
     char from[PATH_MAX], to[PATH_MAX];
     path_make(from, "%s/%s", target, name);
     path_make(to, "%s/%s", links, slug);
-    return symlink(from, to) == 0 ? 0 : fault(to, strerror(errno));
+    return symlink(from, to) == 0 ? 0 : path_fault(to, strerror(errno));
 }
 
 // Those of a team of ILIAS' who have uploaded: their folders are in the team's. Returns 0, or -1
@@ -186,7 +179,7 @@ static int versions_add(Roster *roster, const Attempt *attempt, const Versions *
         version_name(attempt, version_place(versions, i), name);
         const Entrant *entrant = entrant_add(roster, attempt, name, i + 1);
         if (entrant == NULL) {
-            return fault(attempt->export->path, "out of memory");
+            return path_fault(attempt->export->path, "out of memory");
         }
         path_make(folder, "%s/%s", attempt->places->collected, entrant->slug);
         result = version_collect(from, attempt->manifest, versions, i, folder) == 0
@@ -230,17 +223,17 @@ static int attempt_add(Roster *roster, const Attempt *attempt)
     if (versions.n > 1 && !is_numbered_by_time(attempt, &versions)) {
         result = versions_add(roster, attempt, &versions, from);
         if (result == 0 && found->is_loose) {
-            result = folder_remove(from) == 0 ? 0 : fault(from, strerror(errno));
+            result = folder_remove(from) == 0 ? 0 : path_fault(from, strerror(errno));
         }
     } else {
         char name[ENTRY_NAME_BYTES];
         attempt_name(attempt, name);
         const Entrant *entrant = entrant_add(roster, attempt, name, 0);
-        result = entrant != NULL ? 0 : fault(attempt->export->path, "out of memory");
+        result = entrant != NULL ? 0 : path_fault(attempt->export->path, "out of memory");
         if (result == 0 && found->is_loose) {
             char folder[PATH_MAX];
             path_make(folder, "%s/%s", places->collected, entrant->slug);
-            result = rename(from, folder) == 0 ? 0 : fault(folder, strerror(errno));
+            result = rename(from, folder) == 0 ? 0 : path_fault(folder, strerror(errno));
         }
         if (result == 0 && !found->is_link) {
             result = link_make(found->is_loose ? places->collected : places->submissions,
@@ -305,7 +298,7 @@ static int roster_fill(const Export *export, const Manifest *manifest, int only_
     }
     for (int i = 0; result == 0 && i < roster->n_entrants; i++) {
         if (label_make(roster, &roster->entrants[i]) != 0) {
-            result = fault(export->path, "out of memory");
+            result = path_fault(export->path, "out of memory");
         }
     }
     return result;
@@ -315,7 +308,7 @@ static int roster_fill(const Export *export, const Manifest *manifest, int only_
 static int collected_clear(const char *collected)
 {
     if ((folder_remove(collected) != 0 && errno != ENOENT) || mkdir(collected, 0700) != 0) {
-        return fault(collected, strerror(errno));
+        return path_fault(collected, strerror(errno));
     }
     return 0;
 }
@@ -324,11 +317,11 @@ static int collected_clear(const char *collected)
 static int links_clear(const char *links)
 {
     if (mkdir(links, 0755) != 0 && errno != EEXIST) {
-        return fault(links, strerror(errno));
+        return path_fault(links, strerror(errno));
     }
     DIR *entries = opendir(links);
     if (entries == NULL) {
-        return fault(links, strerror(errno));
+        return path_fault(links, strerror(errno));
     }
     struct dirent *entry;
     while ((entry = readdir(entries)) != NULL) {
@@ -356,12 +349,12 @@ int roster_read(const char *submissions, int lab_number, const Manifest *manifes
         strncmp(submissions, folder, n_folder) == 0 && submissions[n_folder] == '/';
     int result = export_read(submissions, is_unpacked, lab_number, &export);
     if (result == 0 && export.n_found == 0) {
-        result = fault(submissions, "no submission: expected a folder or an archive for each "
-                                    "student, or files that a course system has named");
+        result = path_fault(submissions, "no submission: expected a folder or an archive for each "
+                                         "student, or files that a course system has named");
     }
     if (result == 0 &&
         (realpath(export.path, places.submissions) == NULL || realpath(folder, root) == NULL)) {
-        result = fault(submissions, strerror(errno));
+        result = path_fault(submissions, strerror(errno));
     }
     if (result == 0) {
         path_make(places.collected, "%s/collected", root);

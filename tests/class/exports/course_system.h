@@ -9,7 +9,7 @@
 // A student chooses the file's own name, which comes last: so each pattern is looked for from the
 // front, and what looks like a second one further back belongs to the file's name. It may look like
 // another system's pattern: so which system made an export is seen by all entries together
-// (export_system.h), and each entry is read as that system's. Read next: canvas.c.
+// (export_read.h), and each entry is read as that system's. Read next: canvas.c.
 #ifndef CLASS_COURSE_SYSTEM_H
 #define CLASS_COURSE_SYSTEM_H
 
@@ -23,7 +23,7 @@ typedef enum ExportSystem {
     SYSTEM_BRIGHTSPACE,
     SYSTEM_ILIAS,
     SYSTEM_VPL,
-    // Not by names: by a list of files (studip.h, gradescope.h), a repository (commits.h), or what
+    // Not by names: by a list of files (studip.h, gradescope.h), a repository (roster.h), or what
     // the instructor says.
     SYSTEM_STUDIP,
     SYSTEM_GRADESCOPE,

@@ -12,9 +12,9 @@
 // what the submission printed, which must not name anybody.
 #include "gradescope.h"
 
-#include "complain.h"
 #include "entry_name.h"
 #include "path.h"
+#include "sheet.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -25,12 +25,6 @@
 #include <unistd.h>
 
 enum { LINE_BYTES = 1024, KEY_INDENT = 2 };
-
-static int fault(const char *path, const char *what)
-{
-    complain("gradebook: %s: %s", path, what);
-    return -1;
-}
 
 // ---- Members -----------------------------------------------------------------------------------
 
@@ -197,7 +191,7 @@ int gradescope_names_load(const char *folder, GradescopeNames *names)
     path_make(path, "%s/%s", folder, GRADESCOPE_NAMES_FILE);
     FILE *file;
     if (regular_file_open(path, &file) != 0) {
-        return fault(path, strerror(errno));
+        return path_fault(path, strerror(errno));
     }
     if (file == NULL) {
         return 0;
@@ -216,7 +210,7 @@ int gradescope_names_load(const char *folder, GradescopeNames *names)
         is_line_start = is_whole;
     }
     fclose(file);
-    return failed ? fault(path, "out of memory") : 0;
+    return failed ? path_fault(path, "out of memory") : 0;
 }
 
 void gradescope_names_free(GradescopeNames *names)

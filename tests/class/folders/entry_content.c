@@ -1,7 +1,7 @@
 // Looking into an entry, within limits (see entry_content.h).
 #include "entry_content.h"
 
-#include "export_entries.h"
+#include "export_read.h"
 #include "message.h"
 
 #include <dirent.h>

@@ -5,7 +5,7 @@
 #include "complain.h"
 #include "contents.h"
 #include "entry_name.h"
-#include "export_entries.h"
+#include "export_read.h"
 #include "path.h"
 #include "settings.h"
 #include "unpack_run.h"

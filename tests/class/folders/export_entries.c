@@ -1,11 +1,11 @@
-// The entries of a folder of submissions (see export_entries.h).
+// The entries of a folder of submissions (see export_read.h).
 //
-// Read next: export_level.h, which looks whether it is the right folder.
-#include "export_entries.h"
+// Read next: export_read.h, which looks whether it is the right folder.
+#include "export_read.h"
 
-#include "complain.h"
 #include "contents.h"
 #include "ilias.h"
+#include "sheet.h"
 #include "studip.h"
 
 #include <dirent.h>
@@ -19,12 +19,6 @@
 // To see whether ILIAS has named the files of a folder, only the first are read: one student could
 // else make the whole class wait.
 enum { MOST_LOOKED_AT_FOR_ILIAS = 20 };
-
-int export_fault(const char *path, const char *what)
-{
-    complain("gradebook: %s: %s", path, what);
-    return -1;
-}
 
 void *array_grown(void *array, int n, size_t size)
 {
@@ -167,7 +161,7 @@ int export_entries_read(Export *export, int lab_number, int n_most)
 {
     DIR *entries = opendir(export->path);
     if (entries == NULL) {
-        return export_fault(export->path, strerror(errno));
+        return path_fault(export->path, strerror(errno));
     }
     int failed = 0;
     struct dirent *entry;
@@ -190,7 +184,7 @@ int export_entries_read(Export *export, int lab_number, int n_most)
         }
         errno = failed ? errno : 0;
     }
-    const int result = failed || errno != 0 ? export_fault(export->path, strerror(errno)) : 0;
+    const int result = failed || errno != 0 ? path_fault(export->path, strerror(errno)) : 0;
     closedir(entries);
     return result;
 }

@@ -1,12 +1,10 @@
-// One folder too high or too low (see export_level.h).
+// One folder too high or too low (see export_read.h).
 //
-// Read next: export_system.h, which system made the names.
-#include "export_level.h"
+// Read next: export_read.h, which system made the names.
+#include "export_read.h"
 
 #include "complain.h"
 #include "course_system.h"
-#include "export_entries.h"
-#include "export_system.h"
 #include "path.h"
 #include "studip.h"
 

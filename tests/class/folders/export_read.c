@@ -5,10 +5,8 @@
 
 #include "complain.h"
 #include "course_system.h"
-#include "export_entries.h"
-#include "export_level.h"
-#include "export_system.h"
 #include "path.h"
+#include "sheet.h"
 #include "studip.h"
 
 #include <stdlib.h>
@@ -84,7 +82,7 @@ static int names_settle(Export *export)
         }
     }
     export->n_found = n;
-    return failed ? export_fault(export->path, "out of memory") : 0;
+    return failed ? path_fault(export->path, "out of memory") : 0;
 }
 
 static void passed_over_tell(const Export *export)

@@ -1,5 +1,5 @@
-// Deciding by all names together (see export_system.h). Read next: course_system.h, the patterns.
-#include "export_system.h"
+// Deciding by all names together (see export_read.h). Read next: course_system.h, the patterns.
+#include "export_read.h"
 
 #include "complain.h"
 

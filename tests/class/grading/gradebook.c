@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "graded.h"
 #include "path.h"
+#include "sheet.h"
 #include "text_file.h"
 
 #include <errno.h>
@@ -16,12 +17,6 @@
 #include <unistd.h>
 
 enum { KEY_LINE_BYTES = 256 };
-
-static int fault(const char *path, const char *what)
-{
-    complain("gradebook: %s: %s", path, what);
-    return -1;
-}
 
 const char *row_status_name(RowStatus status)
 {
@@ -278,7 +273,7 @@ static int rows_read(Gradebook *gradebook)
     path_make(path, "%s/keys", gradebook->folder);
     FILE *keys = fopen(path, "r");
     if (keys == NULL) {
-        return fault(path, strerror(errno));
+        return path_fault(path, strerror(errno));
     }
     int result = 0;
     for (int i = 0; result == 0 && i < gradebook->roster.n_entrants; i++) {
@@ -287,7 +282,7 @@ static int rows_read(Gradebook *gradebook)
         if (!row->entrant->is_link && (fgets(line, sizeof line, keys) == NULL ||
                                        sscanf(line, "%255s %255s", slug, key) != 2 ||
                                        strcmp(slug, row->entrant->slug) != 0)) {
-            result = fault(path, "not the keys of this roster; start the class run again");
+            result = path_fault(path, "not the keys of this roster; start the class run again");
         } else {
             row_read(gradebook, row, key);
         }
@@ -302,7 +297,7 @@ static json_t *old_gradebook_read(const char *against, const char *lab)
     json_error_t error;
     json_t *old = json_load_file(against, JSON_REJECT_DUPLICATES, &error);
     if (old == NULL) {
-        fault(against, error.text);
+        path_fault(against, error.text);
         return NULL;
     }
     const char *old_lab = json_string_value(json_object_get(old, "lab"));
@@ -314,7 +309,7 @@ static json_t *old_gradebook_read(const char *against, const char *lab)
                  old_lab, lab);
     }
     if (reason[0] != '\0') {
-        fault(against, reason);
+        path_fault(against, reason);
         json_decref(old);
         return NULL;
     }
@@ -339,7 +334,7 @@ static int old_scores_read(Gradebook *gradebook, const char *against)
     const json_int_t old_most = json_integer_value(json_object_get(old, "max_score"));
     if (gradebook->lab != NULL && old_most != 0 && old_most != gradebook->max_score) {
         json_decref(old);
-        return fault(against, "its scores are parts of another maximum");
+        return path_fault(against, "its scores are parts of another maximum");
     }
     json_t *scores = json_object();
     json_t *student;
@@ -374,7 +369,7 @@ int gradebook_load(const char *folder, const char *against, Gradebook *gradebook
     }
     gradebook->rows = calloc((size_t)gradebook->roster.n_entrants + 1, sizeof *gradebook->rows);
     if (gradebook->rows == NULL) {
-        return fault(folder, "out of memory");
+        return path_fault(folder, "out of memory");
     }
     if (rows_read(gradebook) != 0) {
         return -1;

@@ -1,8 +1,6 @@
-// Writing the slides (see class_slides.h). Read next: slides.html, the template.
-#include "class_slides.h"
-
+// Writing the slides (see class_page.h). Read next: slides.html, the template.
 #include "class_page.h"
-#include "complain.h"
+
 #include "failures.h"
 #include "html.h"
 #include "manifest.h"

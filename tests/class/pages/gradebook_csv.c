@@ -11,7 +11,7 @@
 #include "list_cell.h"
 #include "moment.h"
 #include "output_file.h"
-#include "sheet_number.h"
+#include "sheet.h"
 #include "tally.h"
 #include "worksheet.h"
 

@@ -8,7 +8,7 @@
 // What a system adds to a title does not depend on its language; Moodle's titles do.
 #include "list_columns.h"
 
-#include "sheet_number.h"
+#include "sheet.h"
 #include "worksheet.h"
 
 #include <ctype.h>

@@ -1,7 +1,6 @@
 // Comparing names, numbers and keys (see participant_fit.h).
 #include "participant_fit.h"
 
-#include "complain.h"
 #include "ilias.h"
 #include "name_likeness.h"
 

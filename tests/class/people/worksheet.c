@@ -1,7 +1,7 @@
 // Columns and grades of a list of participants (see worksheet.h). Read next: worksheet_load.c.
 #include "worksheet.h"
 
-#include "sheet_number.h"
+#include "sheet.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,19 +1,12 @@
 // Reading lists of participants (see worksheet.h). Read next: owners.c, which finds who is who.
 #include "worksheet.h"
 
-#include "complain.h"
 #include "list_columns.h"
 #include "participant_fit.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-static int fault(const char *path, const char *what)
-{
-    complain("gradebook: %s: %s", path, what);
-    return -1;
-}
 
 // The lines of the file, whose cells are the participants' from here on. Returns 0, or -1 after one
 // message.
@@ -28,7 +21,7 @@ static int lines_read(Worksheet *worksheet)
     worksheet->participants = calloc((size_t)sheet.n_lines, sizeof *worksheet->participants);
     if (worksheet->participants == NULL) {
         sheet_free(&sheet);
-        return fault(worksheet->path, "out of memory");
+        return path_fault(worksheet->path, "out of memory");
     }
     worksheet->n_participants = sheet.n_lines;
     worksheet->n_columns = sheet.n_columns;
@@ -127,7 +120,7 @@ int worksheet_load(const ListGiven *given, const char *lab, const Gradebook *gra
     worksheet->n_rows = gradebook->n_rows;
     worksheet->entered = calloc((size_t)gradebook->n_rows + 1, sizeof *worksheet->entered);
     if (worksheet->entered == NULL) {
-        return fault(path, "out of memory");
+        return path_fault(path, "out of memory");
     }
     if (lines_read(worksheet) != 0) {
         worksheet_free(worksheet);

@@ -3,7 +3,6 @@
 
 #include "called.h"
 #include "clean_text.h"
-#include "complain.h"
 #include "manifest.h"
 #include "participant_fit.h"
 

@@ -7,7 +7,7 @@
 // gradebook_csv.c.
 #include "csv_cell.h"
 
-#include "blank_character.h"
+#include "name_likeness.h"
 #include "utf8.h"
 
 #include <csv.h>

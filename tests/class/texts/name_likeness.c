@@ -2,10 +2,9 @@
 //
 // What is mistaken for what is the Unicode consortium's knowledge, and ICU has it: confusables
 // (uspoof.h), capitals, compatible and invisible characters (NFKC case folding), names. Used by
-// look_alikes.c and owners.c. Read next: blank_character.h.
+// look_alikes.c and owners.c.
 #include "name_likeness.h"
 
-#include "blank_character.h"
 #include "complain.h"
 #include "utf8.h"
 
@@ -197,4 +196,14 @@ void name_compose(const char *name, char composed[ENTRY_NAME_BYTES])
     if (U_FAILURE(status) || status == U_STRING_NOT_TERMINATED_WARNING) {
         snprintf(composed, ENTRY_NAME_BYTES, "%s", name);  // too long, or no text
     }
+}
+
+int character_is_blank(uint32_t code)
+{
+    // Of all patterns of Braille this one has no dot; Unicode calls it a symbol.
+    enum { BRAILLE_BLANK = 0x2800 };
+    const UChar32 character = (UChar32)code;
+    return code == BRAILLE_BLANK || u_isUWhiteSpace(character) ||
+           u_hasBinaryProperty(character, UCHAR_DEFAULT_IGNORABLE_CODE_POINT) ||
+           (U_GET_GC_MASK(character) & (U_GC_C_MASK | U_GC_Z_MASK)) != 0;
 }

@@ -3,6 +3,8 @@
 #ifndef CLASS_NAME_LIKENESS_H
 #define CLASS_NAME_LIKENESS_H
 
+#include <stdint.h>
+
 // Room for a name, whose bytes may each be written as \xHH.
 enum { ENTRY_NAME_BYTES = 1100 };
 
@@ -21,5 +23,10 @@ int name_looks_like(const char *name, const char *other);
 // A name composed (NFC): a Mac writes an accent apart from its letter. What is too long, or no
 // text, stays as it is.
 void name_compose(const char *name, char composed[ENTRY_NAME_BYTES]);
+
+// Is there nothing to see of a character by itself: blanks of any width, controls, fillers, marks
+// that only change others? What Unicode has not assigned counts as such, too. A name may be full of
+// them, and a spreadsheet may pass over them.
+int character_is_blank(uint32_t code);
 
 #endif

@@ -2,7 +2,6 @@
 #include "sheet.h"
 
 #include "complain.h"
-#include "sheet_text.h"
 
 #include <csv.h>
 #include <errno.h>
@@ -11,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int fault(const char *path, const char *what)
+int path_fault(const char *path, const char *what)
 {
     complain("gradebook: %s: %s", path, what);
     return -1;
@@ -124,7 +123,7 @@ int sheet_load(const char *path, const char *expected, Sheet *sheet)
     FILE *file = fopen(path, "rb");
     char *text = file != NULL ? malloc(SHEET_MAX_BYTES) : NULL;
     if (text == NULL) {
-        const int result = fault(path, strerror(errno));
+        const int result = path_fault(path, strerror(errno));
         if (file != NULL) {
             fclose(file);
         }
@@ -132,7 +131,7 @@ int sheet_load(const char *path, const char *expected, Sheet *sheet)
     }
     int is_utf16 = 0;
     size_t length = fread(text, 1, SHEET_MAX_BYTES, file);
-    int result = ferror(file) ? fault(path, strerror(errno)) : 0;
+    int result = ferror(file) ? path_fault(path, strerror(errno)) : 0;
     if (result == 0 && length == SHEET_MAX_BYTES) {
         complain("gradebook: %s: too large for %s", path, expected);
         result = -1;

@@ -1,5 +1,5 @@
-// Reading a sheet's numbers (see sheet_number.h).
-#include "sheet_number.h"
+// Reading a sheet's numbers (see sheet.h).
+#include "sheet.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-// Telling what kind of file a list is (see sheet_text.h).
-#include "sheet_text.h"
+// Telling what kind of file a list is (see sheet.h).
+#include "sheet.h"
 
 #include "utf8.h"
 
