@@ -1,15 +1,6 @@
 // gradebook: from a folder of submissions to a roster, and from graded submissions to a gradebook.
 //
-//     gradebook unpack BUILD ARCHIVE FOLDER
-//     gradebook roster [--latest] [--commits] LAB-NUMBER SUBMISSIONS FOLDER
-//     gradebook contents FOLDER <names
-//     gradebook keys [--seed N] GRADER FOLDER <contents
-//     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
-//     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
-//     gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER
-//
-//     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv,
-//           --due DUE, --late LATE; with --make as the first word all from make's variables
+// What each command takes is in usage().
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -25,7 +16,6 @@
 #include "class_keys.h"
 #include "class_page.h"
 #include "clean_text.h"
-#include "roster.h"
 #include "complain.h"
 #include "corrections.h"
 #include "decisions.h"
@@ -39,6 +29,7 @@
 #include "option_table.h"
 #include "owners.h"
 #include "path.h"
+#include "roster.h"
 #include "tally.h"
 #include "text_file.h"
 #include "upload_csv.h"

@@ -289,11 +289,8 @@ static Row row_make(const Entrant *entrant, const char *first, const char *secon
 
 static Gradebook two_checks(Row *rows, int n_rows)
 {
-    return (Gradebook){.rows = rows,
-                       .n_rows = n_rows,
-                       .checks = {{.id = (char *)"one", .title = (char *)"One"},
-                                  {.id = (char *)"two", .title = (char *)"Two"}},
-                       .n_checks = 2};
+    static const Column checks[] = {{.id = "one", .title = "One"}, {.id = "two", .title = "Two"}};
+    return (Gradebook){.rows = rows, .n_rows = n_rows, .checks = checks, .n_checks = 2};
 }
 
 Test(failures, are_the_same_whatever_the_numbers)

@@ -15,6 +15,7 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -371,15 +372,19 @@ int roster_read(const char *submissions, int lab_number, const Manifest *manifes
 
 void roster_free(Roster *roster)
 {
+    const int is_own = roster->json == NULL;
     for (int i = 0; i < roster->n_entrants; i++) {
         Entrant *entrant = &roster->entrants[i];
-        free(entrant->name), free(entrant->label), free(entrant->number), free(entrant->entry),
-            free(entrant->slug), free(entrant->time);
-        members_free(entrant->members, entrant->n_members);
+        if (is_own) {
+            free(entrant->name), free(entrant->label), free(entrant->number);
+            free(entrant->entry), free(entrant->slug), free(entrant->time);
+        }
+        members_free(entrant->members, is_own ? entrant->n_members : 0);
     }
-    for (int i = 0; i < roster->n_passed_over; i++) {
+    for (int i = 0; is_own && i < roster->n_passed_over; i++) {
         free(roster->passed_over[i]);
     }
     free(roster->entrants), free(roster->passed_over);
+    json_decref(roster->json);
     *roster = (Roster){0};
 }

@@ -28,7 +28,8 @@ typedef struct Entrant {
 } Entrant;
 
 typedef struct Roster {
-    Entrant *entrants;  // by name, then by number, then by attempt
+    struct json_t *json;  // of roster_load(): owns all texts; else they are the roster's own
+    Entrant *entrants;    // by name, then by number, then by attempt
     int n_entrants;
     char **passed_over;  // names of files of which nobody can say whose they are, fit to be shown
     int n_passed_over;

@@ -25,17 +25,14 @@ static json_t *members_json(const Entrant *entrant)
 static int members_read(json_t *list, Entrant *entrant, json_error_t *error)
 {
     const int n = (int)json_array_size(list);
-    Member *members = calloc((size_t)n + 1, sizeof *members);
-    int failed = members == NULL || !json_is_array(list);
+    entrant->members = calloc((size_t)n + 1, sizeof *entrant->members);
+    int failed = entrant->members == NULL || !json_is_array(list);
     for (int i = 0; i < n && !failed; i++) {
+        Member *member = &entrant->members[entrant->n_members++];
         failed = json_unpack_ex(json_array_get(list, (size_t)i), error, JSON_STRICT,
-                                "{s:s, s:s, s:s, s:s}", "name", &members[i].name, "email",
-                                &members[i].email, "sid", &members[i].sid, "login",
-                                &members[i].login) != 0;
+                                "{s:s, s:s, s:s, s:s}", "name", &member->name, "email",
+                                &member->email, "sid", &member->sid, "login", &member->login) != 0;
     }
-    failed = failed || members_copy(members, n, &entrant->members) != 0;
-    entrant->n_members = entrant->members != NULL ? n : 0;
-    free(members);  // the texts in it are the list's
     return failed ? -1 : 0;
 }
 
@@ -78,9 +75,7 @@ static int passed_over_read(json_t *list, Roster *roster)
     roster->passed_over = calloc(json_array_size(list) + 1, sizeof *roster->passed_over);
     int failed = roster->passed_over == NULL || !json_is_array(list);
     for (size_t i = 0; !failed && i < json_array_size(list); i++) {
-        const char *name = json_string_value(json_array_get(list, i));
-        roster->passed_over[i] = name != NULL ? strdup(name) : NULL;
-        failed = roster->passed_over[i] == NULL;
+        failed = json_unpack(json_array_get(list, i), "s", &roster->passed_over[i]) != 0;
         roster->n_passed_over += !failed;
     }
     return failed ? -1 : 0;
@@ -88,24 +83,20 @@ static int passed_over_read(json_t *list, Roster *roster)
 
 static int entrant_read(json_t *json, Entrant *entrant, json_error_t *error)
 {
-    const char *slug, *name, *label, *number, *entry, *time, *time_from;
+    const char *time_from;
     json_t *members;
     if (json_unpack_ex(json, error, JSON_STRICT,
                        "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:i, s:i, s:b, s:b, s:b, s:o}",
-                       "id", &slug, "name", &name, "label", &label, "number", &number, "entry",
-                       &entry, "time", &time, "time_from", &time_from, "late", &entrant->is_late,
-                       "attempt", &entrant->attempt, "version", &entrant->version, "exact",
-                       &entrant->is_exact, "link", &entrant->is_link, "team", &entrant->is_team,
-                       "members", &members) != 0) {
+                       "id", &entrant->slug, "name", &entrant->name, "label", &entrant->label,
+                       "number", &entrant->number, "entry", &entrant->entry, "time", &entrant->time,
+                       "time_from", &time_from, "late", &entrant->is_late, "attempt",
+                       &entrant->attempt, "version", &entrant->version, "exact", &entrant->is_exact,
+                       "link", &entrant->is_link, "team", &entrant->is_team, "members",
+                       &members) != 0) {
         return -1;
     }
-    entrant->slug = strdup(slug), entrant->name = strdup(name), entrant->label = strdup(label);
-    entrant->number = strdup(number), entrant->entry = strdup(entry);
-    entrant->time = strdup(time), entrant->time_from = course_system_find(time_from);
-    return entrant->slug == NULL || entrant->name == NULL || entrant->label == NULL ||
-                   entrant->number == NULL || entrant->entry == NULL || entrant->time == NULL
-               ? -1
-               : members_read(members, entrant, error);
+    entrant->time_from = course_system_find(time_from);
+    return members_read(members, entrant, error);
 }
 
 int roster_load(const char *path, Roster *roster)
@@ -119,14 +110,14 @@ int roster_load(const char *path, Roster *roster)
     }
     json_t *whole = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
     json_t *list = json_object_get(whole, "entries");
-    *roster = (Roster){.entrants = calloc(json_array_size(list) + 1, sizeof(Entrant))};
+    *roster =
+        (Roster){.json = whole, .entrants = calloc(json_array_size(list) + 1, sizeof(Entrant))};
     int failed = roster->entrants == NULL || !json_is_array(list) ||
                  passed_over_read(json_object_get(whole, "passed_over"), roster) != 0;
     for (size_t i = 0; !failed && i < json_array_size(list); i++) {
         Entrant *entrant = &roster->entrants[roster->n_entrants++];
         failed = entrant_read(json_array_get(list, i), entrant, &error) != 0;
     }
-    json_decref(whole);
     if (failed) {
         complain("gradebook: %s: line %d: %s", path, error.line, error.text);
         roster_free(roster);

@@ -5,7 +5,6 @@
 
 #include "clean_text.h"
 #include "complain.h"
-#include "graded.h"
 #include "path.h"
 #include "sheet.h"
 #include "text_file.h"
@@ -127,23 +126,15 @@ void row_fault_find(const Gradebook *gradebook, Row *row)
     }
 }
 
-static void columns_take(Gradebook *gradebook, const Graded *graded)
+static void columns_take(Gradebook *gradebook, Graded *graded)
 {
-    gradebook->lab = strdup(graded->lab);
-    gradebook->title = strdup(graded->title);
-    gradebook->max_score = graded->max_score;
-    gradebook->n_tasks = graded->n_tasks;
-    gradebook->n_checks = graded->n_checks;
-    for (int i = 0; i < graded->n_tasks; i++) {
-        const GradedTask *task = &graded->tasks[i];
-        gradebook->tasks[i] =
-            (Column){strdup(task->id), strdup(task->title), task->max_points, NULL};
-    }
-    for (int i = 0; i < graded->n_checks; i++) {
-        const GradedCheck *check = &graded->checks[i];
-        gradebook->checks[i] =
-            (Column){strdup(check->id), strdup(check->title), 0, strdup(check->task)};
-    }
+    const Graded *first = &gradebook->first;
+    gradebook->first = *graded;
+    *graded = (Graded){0};
+    gradebook->lab = first->lab, gradebook->title = first->title;
+    gradebook->max_score = first->max_score;
+    gradebook->tasks = first->tasks, gradebook->n_tasks = first->n_tasks;
+    gradebook->checks = first->checks, gradebook->n_checks = first->n_checks;
 }
 
 static int has_columns(const Gradebook *gradebook, const Graded *graded)
@@ -173,16 +164,17 @@ static const char *picture_find(const char *folder, const char *slug)
     return NULL;
 }
 
-static int is_silent(const GradedCheck *check, Silence silence)
+static int is_silent(const Column *check, Silence silence)
 {
     return check->silent != NULL && strcmp(check->silent, silence_name(silence)) == 0;
 }
 
 // Take what a row needs of a result that was read.
-static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
+static void row_take(Gradebook *gradebook, Graded *own, Row *row)
 {
+    const Graded *graded = gradebook->lab != NULL ? own : &gradebook->first;
     if (gradebook->lab == NULL) {
-        columns_take(gradebook, graded);
+        columns_take(gradebook, own);
     }
     if (!has_columns(gradebook, graded)) {
         row->status = ROW_NOT_GRADED;
@@ -209,7 +201,7 @@ static void row_take(Gradebook *gradebook, const Graded *graded, Row *row)
         row->points[i] = graded->tasks[i].points;
     }
     for (int i = 0; i < graded->n_checks; i++) {
-        const GradedCheck *check = &graded->checks[i];
+        const Column *check = &graded->checks[i];
         row->passed[i] = check->status == CHECK_PASSED;
         row->not_run[i] = check->status == CHECK_NOT_RUN;
         row->causes[i] = check->cause != NULL ? strdup(check->cause) : NULL;
@@ -413,13 +405,6 @@ int gradebook_manifest(const Gradebook *gradebook, const char *lab, Manifest *ma
     return manifest_load_file(access(own, F_OK) == 0 ? own : NULL, lab, manifest);
 }
 
-static void columns_free(Column *columns, int n_columns)
-{
-    for (int i = 0; i < n_columns; i++) {
-        free(columns[i].id), free(columns[i].title), free(columns[i].task);
-    }
-}
-
 void gradebook_free(Gradebook *gradebook)
 {
     for (int i = 0; i < gradebook->n_rows; i++) {
@@ -431,9 +416,8 @@ void gradebook_free(Gradebook *gradebook)
         }
     }
     free(gradebook->rows);
-    columns_free(gradebook->tasks, gradebook->n_tasks);
-    columns_free(gradebook->checks, gradebook->n_checks);
-    free(gradebook->lab), free(gradebook->title), free(gradebook->leaderboard);
+    graded_free(&gradebook->first);
+    free(gradebook->leaderboard);
     roster_free(&gradebook->roster);
     *gradebook = (Gradebook){0};
 }

@@ -5,8 +5,7 @@
 #ifndef CLASS_GRADEBOOK_H
 #define CLASS_GRADEBOOK_H
 
-#include "manifest.h"
-#include "result.h"
+#include "graded.h"
 #include "roster.h"
 
 #include <stdint.h>
@@ -52,21 +51,15 @@ typedef struct Row {
     int old_score;  // in the gradebook that this one is compared with
 } Row;
 
-typedef struct Column {
-    char *id, *title;
-    int max_points;  // of a task
-    char *task;      // of a check: the task's id; else NULL
-} Column;
-
 typedef struct Gradebook {
     const char *folder;  // where students/SLUG/ and the three files are
-    char *lab, *title;   // NULL when nothing was graded
-    char *leaderboard;   // what the rows' figures count; NULL where no row has one
+    // Of the first result, which owns the texts. Its points and what it found mean nothing here.
+    Graded first;
+    const char *lab, *title;  // NULL when nothing was graded
     int max_score;
-    Column tasks[MANIFEST_MAX_TASKS];
-    int n_tasks;
-    Column checks[RESULT_MAX_CHECKS];
-    int n_checks;
+    const Column *tasks, *checks;
+    int n_tasks, n_checks;
+    char *leaderboard;  // what the rows' figures count; NULL where no row has one
     Row *rows;
     int n_rows;
     int n_graded;         // rows with a score

@@ -78,7 +78,7 @@ static int tasks_read(const char *path, json_t *tasks, Graded *graded)
                      MANIFEST_MAX_TASKS);
     }
     for (size_t i = 0; i < json_array_size(tasks); i++) {
-        GradedTask *task = &graded->tasks[graded->n_tasks++];
+        Column *task = &graded->tasks[graded->n_tasks++];
         const char *file, *hint;
         json_error_t error;
         if (json_unpack_ex(json_array_get(tasks, i), &error, JSON_STRICT,
@@ -106,16 +106,17 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
         points_left[i] = graded->tasks[i].points;
     }
     for (size_t i = 0; i < json_array_size(checks); i++) {
-        GradedCheck *check = &graded->checks[graded->n_checks++];
+        Column *check = &graded->checks[graded->n_checks++];
         const char *word, *hint, *found = NULL;
-        int max_points, is_in_picture;
+        int is_in_picture;
         json_error_t error;
         if (json_unpack_ex(json_array_get(checks, i), &error, JSON_STRICT,
                            "{s:s, s:s, s:s, s:i, s:i, s:s, s:s, s?s, s?b, s?s, s?s, s?s}", "id",
                            &check->id, "title", &check->title, "task", &check->task, "points",
-                           &check->points, "max_points", &max_points, "status", &word, "message",
-                           &check->message, "silent", &check->silent, "in_picture", &is_in_picture,
-                           "cause", &check->cause, "hint", &hint, "found", &found) != 0) {
+                           &check->points, "max_points", &check->max_points, "status", &word,
+                           "message", &check->message, "silent", &check->silent, "in_picture",
+                           &is_in_picture, "cause", &check->cause, "hint", &hint, "found",
+                           &found) != 0) {
             return fault(path, "checks[%zu]: %s", i, error.text);
         }
         check->is_hidden = found != NULL;
@@ -130,10 +131,10 @@ static int checks_read(const char *path, json_t *checks, Graded *graded)
         if (owner == graded->n_tasks) {
             return fault(path, "checks[%zu]: found the unknown task \"%s\"", i, check->task);
         }
-        if (!points_agree(check->points, max_points) ||
+        if (!points_agree(check->points, check->max_points) ||
             (check->points > 0 && check->status != CHECK_PASSED)) {
             return fault(path, "checks[%zu]: found %d of %d points, %s", i, check->points,
-                         max_points, word);
+                         check->max_points, word);
         }
         points_left[owner] -= check->points;
     }

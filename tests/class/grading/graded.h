@@ -5,20 +5,18 @@
 #include "manifest.h"
 #include "result.h"
 
-typedef struct GradedTask {
+// A task or a check.
+typedef struct Column {
     const char *id, *title;
     int points, max_points;
-} GradedTask;
-
-typedef struct GradedCheck {
-    const char *id, *title, *task;
+    // Of a check:
+    const char *task;
     const char *message;  // what it found, also where students do not see it
     const char *silent;   // why nothing is said about the answer (silence_name()), or NULL
     const char *cause;    // the known mistake, a fixed sentence; NULL: none is named
     CheckStatus status;
-    int points;
     int is_hidden;  // what it found is not for students
-} GradedCheck;
+} Column;
 
 // One submission's results. The strings live as long as it does.
 typedef struct Graded {
@@ -27,9 +25,9 @@ typedef struct Graded {
     const char *seed;  // decimal digits
     int has_nothing;   // nothing of the lab was handed in: the stage's message says what was
     int score, max_score;
-    GradedTask tasks[MANIFEST_MAX_TASKS];
+    Column tasks[MANIFEST_MAX_TASKS];
     int n_tasks;
-    GradedCheck checks[RESULT_MAX_CHECKS];
+    Column checks[RESULT_MAX_CHECKS];
     int n_checks;
     const char *failed_stage;       // title of the first stage that failed, or NULL
     const char *stage_message;      // and what it said

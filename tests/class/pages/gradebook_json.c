@@ -14,6 +14,12 @@
 
 #include <jansson.h>
 
+// A number, or NULL, which json_pack() leaves out as "o*".
+static json_t *number_if(int is_there, int number)
+{
+    return is_there ? json_integer(number) : NULL;
+}
+
 static json_t *points_json(const Gradebook *gradebook, const Row *row)
 {
     json_t *points = json_object();
@@ -48,38 +54,24 @@ static void checks_add(json_t *json, const Gradebook *gradebook, const Row *row)
 
 static json_t *correction_json(const Correction *correction)
 {
-    json_t *json =
-        json_pack("{s:s, s:s}", "comment", correction->comment, "until", correction->until);
-    if (correction->task != NULL) {
-        json_object_set_new(json, "task", json_string(correction->task));
-    }
-    if (correction->check != NULL) {
-        json_object_set_new(json, "check", json_string(correction->check));
-    }
-    if (correction->is_applied) {
-        json_object_set_new(json, "before", json_integer(correction->before));
-        json_object_set_new(json, "after", json_integer(correction->after));
-    }
-    if (correction->has_points) {
-        json_object_set_new(json, "applied", json_boolean(correction->is_applied));
-    }
-    return json;
+    const int is_applied = correction->is_applied;
+    return json_pack("{s:s, s:s, s:s*, s:s*, s:o*, s:o*, s:o*}", "comment", correction->comment,
+                     "until", correction->until, "task", correction->task, "check",
+                     correction->check, "before", number_if(is_applied, correction->before),
+                     "after", number_if(is_applied, correction->after), "applied",
+                     correction->has_points ? json_boolean(is_applied) : NULL);
 }
 
 // When it was handed in, where that is known, and what it cost.
 static json_t *late_json(const LateRow *late)
 {
-    json_t *json = json_pack("{s:b, s:i, s:i}", "is_late", lateness_is_late(late), "seconds",
-                             (int)late->seconds, "points_off", late->off);
+    char handed_in[MOMENT_BYTES] = "";
     if (late->has_time) {
-        char handed_in[MOMENT_BYTES];
         moment_stamp(late->handed_in, handed_in);
-        json_object_set_new(json, "handed_in", json_string(handed_in));
     }
-    if (late->unknown != NULL) {
-        json_object_set_new(json, "unknown", json_string(late->unknown));
-    }
-    return json;
+    return json_pack("{s:b, s:i, s:i, s:s*, s:o*}", "is_late", lateness_is_late(late), "seconds",
+                     (int)late->seconds, "points_off", late->off, "handed_in",
+                     late->has_time ? handed_in : NULL, "unknown", json_string(late->unknown));
 }
 
 static json_t *corrections_json(const Gradebook *gradebook, const Row *row)
@@ -164,54 +156,39 @@ static json_t *without_json(const Worksheet *worksheet)
 static json_t *row_json(const Gradebook *gradebook, const Row *row, const Worksheet *worksheet)
 {
     const Entrant *entrant = row->entrant;
-    json_t *json = json_pack("{s:s, s:s, s:s, s:i, s:s, s:s}", "id", entrant->slug, "name",
-                             entrant->name, "number", entrant->number, "attempt", entrant->attempt,
-                             "entry", entrant->entry, "status", row_status_name(row->status));
-    json_object_set_new(json, "counts", json_boolean(row_that_counts(gradebook, row) == row));
-    json_object_set_new(json, "owners", owners_json(row, worksheet));
-    const char *why_not =
-        worksheet != NULL ? worksheet->entered[row - gradebook->rows].why_not : NULL;
-    if (why_not != NULL) {
-        json_object_set_new(json, "not_entered", json_string(why_not));
-    }
-    if (row->reason != NULL) {
-        json_object_set_new(json, "reason", json_string(row->reason));
-    }
-    if (corrections_has(gradebook, row)) {
-        json_object_set_new(json, "corrections", corrections_json(gradebook, row));
-    }
-    if (lateness_of(gradebook, row) != NULL) {
-        json_object_set_new(json, "late", late_json(lateness_of(gradebook, row)));
-    }
+    const LateRow *late = lateness_of(gradebook, row);
+    const int is_entered = row_is_entered(gradebook, row);
+    char report[128];
+    snprintf(report, sizeof report, "students/%s/report.html", entrant->slug);
+    json_t *json = json_pack(
+        "{s:s, s:s, s:s, s:i, s:s, s:s, s:b, s:o, s:o*, s:o*, s:o*, s:o*}", "id", entrant->slug,
+        "name", entrant->name, "number", entrant->number, "attempt", entrant->attempt, "entry",
+        entrant->entry, "status", row_status_name(row->status), "counts",
+        row_that_counts(gradebook, row) == row, "owners", owners_json(row, worksheet),
+        "not_entered",
+        json_string(worksheet != NULL ? worksheet->entered[row - gradebook->rows].why_not : NULL),
+        "reason", json_string(row->reason), "corrections",
+        corrections_has(gradebook, row) ? corrections_json(gradebook, row) : NULL, "late",
+        late != NULL ? late_json(late) : NULL);
     if (row->status == ROW_NOT_GRADED) {
         return json;
     }
-    char report[128];
-    snprintf(report, sizeof report, "students/%s/report.html", entrant->slug);
-    if (row_is_entered(gradebook, row)) {
-        json_object_set_new(json, "score", json_integer(row->score));
-        json_object_set_new(json, "max_score", json_integer(gradebook->max_score));
-    }
-    if (row->score != row->graded_score) {
-        json_object_set_new(json, "score_before", json_integer(row->graded_score));
-    }
+    json_object_update_new(
+        json, json_pack("{s:o*, s:o*, s:o*}", "score", number_if(is_entered, row->score),
+                        "max_score", number_if(is_entered, gradebook->max_score), "score_before",
+                        number_if(row->score != row->graded_score, row->graded_score)));
     if (row_is_graded(row)) {
         json_object_set_new(json, "points", points_json(gradebook, row));
         checks_add(json, gradebook, row);
     }
-    if (row->fault != NULL) {
-        json_object_set_new(json, "first_fault",
-                            json_pack("{s:s, s:s, s:s}", "title", row->fault, "check",
-                                      row->fault_id, "message", row->fault_message));
-    }
-    if (row->leaderboard != 0) {
-        json_object_set_new(json, "leaderboard", json_real(row->leaderboard));
-    }
-    json_object_set_new(json, "seed", json_string(row->seed));
-    json_object_set_new(json, "report", json_string(report));
-    if (row->has_old_score) {
-        json_object_set_new(json, "old_score", json_integer(row->old_score));
-    }
+    json_t *fault = row->fault == NULL ? NULL
+                                       : json_pack("{s:s, s:s, s:s}", "title", row->fault, "check",
+                                                   row->fault_id, "message", row->fault_message);
+    json_object_update_new(
+        json, json_pack("{s:o*, s:o*, s:o*, s:s, s:o*}", "first_fault", fault, "leaderboard",
+                        row->leaderboard != 0 ? json_real(row->leaderboard) : NULL, "seed",
+                        json_string(row->seed), "report", report, "old_score",
+                        number_if(row->has_old_score, row->old_score)));
     return json;
 }
 
