@@ -1,7 +1,7 @@
 // Unit tests of the names that course systems give to what students hand in.
+#include "course_system.h"
 #include "entry_name.h"
 #include "ilias.h"
-#include "course_system.h"
 #include "text_file.h"
 
 #include <criterion/criterion.h>

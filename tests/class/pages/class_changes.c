@@ -65,13 +65,11 @@ static void cells_write(FILE *page, const void *about)
 
 void class_correction_rows_write(FILE *page, const Gradebook *gradebook, const Row *row)
 {
-    const Corrections *corrections = gradebook->corrections;
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        if (corrections->all[i].row == row) {
-            fputs("<tr>", page);
-            cells_write(page, &corrections->all[i]);
-            fputs("</tr>\n", page);
-        }
+    const Correction *correction = NULL;
+    while ((correction = corrections_next(gradebook, row, NULL, correction)) != NULL) {
+        fputs("<tr>", page);
+        cells_write(page, correction);
+        fputs("</tr>\n", page);
     }
 }
 

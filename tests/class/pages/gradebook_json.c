@@ -76,12 +76,10 @@ static json_t *late_json(const LateRow *late)
 
 static json_t *corrections_json(const Gradebook *gradebook, const Row *row)
 {
+    const Correction *correction = NULL;
     json_t *json = json_array();
-    for (int i = 0; i < gradebook->corrections->n; i++) {
-        const Correction *correction = &gradebook->corrections->all[i];
-        if (correction->row == row) {
-            json_array_append_new(json, correction_json(correction));
-        }
+    while ((correction = corrections_next(gradebook, row, NULL, correction)) != NULL) {
+        json_array_append_new(json, correction_json(correction));
     }
     return json;
 }

@@ -48,6 +48,11 @@ void corrections_free(Corrections *corrections);
 // row is changed.
 int corrections_apply(Corrections *corrections, Gradebook *gradebook);
 
+// The correction behind `before` (NULL: the first) of a row, or where that is NULL of a participant.
+// NULL: there is none.
+const Correction *corrections_next(const Gradebook *gradebook, const Row *row,
+                                   const Participant *participant, const Correction *before);
+
 // Has a row a correction? And how many corrections of points had none to change?
 int corrections_has(const Gradebook *gradebook, const Row *row);
 int corrections_count_waiting(const Gradebook *gradebook);

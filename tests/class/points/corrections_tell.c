@@ -3,15 +3,24 @@
 
 #include <string.h>
 
-int corrections_has(const Gradebook *gradebook, const Row *row)
+const Correction *corrections_next(const Gradebook *gradebook, const Row *row,
+                                   const Participant *participant, const Correction *before)
 {
     const Corrections *corrections = gradebook->corrections;
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        if (corrections->all[i].row == row) {
-            return 1;
+    for (int i = before != NULL ? (int)(before - corrections->all) + 1 : 0;
+         corrections != NULL && i < corrections->n; i++) {
+        const Correction *next = &corrections->all[i];
+        if (row != NULL ? next->row == row
+                        : participant != NULL && next->participant == participant) {
+            return next;
         }
     }
-    return 0;
+    return NULL;
+}
+
+int corrections_has(const Gradebook *gradebook, const Row *row)
+{
+    return corrections_next(gradebook, row, NULL, NULL) != NULL;
 }
 
 int corrections_count_waiting(const Gradebook *gradebook)
@@ -39,22 +48,12 @@ void correction_change_write(FILE *file, const Correction *correction)
     }
 }
 
-static int is_of(const Correction *correction, const Row *row, const Participant *participant)
-{
-    return row != NULL ? correction->row == row
-                       : participant != NULL && correction->participant == participant;
-}
-
 void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row,
                        const Participant *participant)
 {
-    const Corrections *corrections = gradebook->corrections;
+    const Correction *correction = NULL;
     const char *between = "";
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        const Correction *correction = &corrections->all[i];
-        if (!is_of(correction, row, participant)) {
-            continue;
-        }
+    while ((correction = corrections_next(gradebook, row, participant, correction)) != NULL) {
         fputs(between, file);
         correction_change_write(file, correction);
         fprintf(file, "%s%s",
@@ -70,13 +69,10 @@ void corrections_write(FILE *file, const Gradebook *gradebook, const Row *row,
 const char *corrections_until(const Gradebook *gradebook, const Row *row,
                               const Participant *participant)
 {
-    const Corrections *corrections = gradebook->corrections;
+    const Correction *correction = NULL;
     const char *last = "";
-    for (int i = 0; corrections != NULL && i < corrections->n; i++) {
-        const Correction *correction = &corrections->all[i];
-        if (is_of(correction, row, participant) && strcmp(correction->until, last) > 0) {
-            last = correction->until;
-        }
+    while ((correction = corrections_next(gradebook, row, participant, correction)) != NULL) {
+        last = strcmp(correction->until, last) > 0 ? correction->until : last;
     }
     return last;
 }
