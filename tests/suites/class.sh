@@ -388,8 +388,9 @@ regraded() {
     [ "$(n_graded "$faults")" -eq $((before + $1)) ]
 }
 check "the same course elsewhere: nothing is graded" regraded 0
-for program in judge unpack grade; do
-    echo '# changed' >>"$fake/tools/$program"
+mkdir "$fake/judges"
+for program in "judges/$lab" tools/unpack tools/grade; do
+    echo '# changed' >>"$fake/$program"
     check "another $program: all are graded again" regraded 2
 done
 for folder in labs solutions common kernels tests/probes tests/stand_ins; do
