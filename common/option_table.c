@@ -163,7 +163,7 @@ static OptionsResult read_from_make(const OptionTable *table, const OptionRow *r
 {
     char name[64];
     size_t n = 0;
-    for (; row->name[n] != '\0' && n < sizeof name - 1; n++) {
+    for (; n < sizeof name - 1 && row->name[n] != '\0'; n++) {
         name[n] = row->name[n] == '-' ? '_' : (char)toupper((unsigned char)row->name[n]);
     }
     name[n] = '\0';

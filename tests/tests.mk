@@ -18,6 +18,9 @@ $(addprefix $(OUT)/tools/,known mutants pairs mutate): $(OUT)/tools/%: $(OUT)/ob
 CLASS_LIBRARIES = -larchive -lnettle -licui18n -licuuc
 $(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(foreach room,$(CLASS_ROOMS),$(wildcard $(room)/*.c))))
 	$(archive)
+$(call objects,tests/class/pages/class_page.c): tests/class/pages/class.html
+$(call objects,tests/class/pages/class_slides.c): tests/class/pages/slides.html
+$(call objects,tests/class/term/term_page.c): tests/class/term/term.html
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 

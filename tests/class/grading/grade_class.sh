@@ -111,6 +111,7 @@ END
 [ -n "$LAB" ] || die "say which lab: LAB=03"
 [ -n "$SUBMISSIONS" ] || die "say where the submissions are: SUBMISSIONS=folder or archive"
 [ "${JOBS:-1}" -ge 1 ] || die "--jobs: found \"$JOBS\", expected 1 or more"
+[ -z "$LIST" ] || [ -z "$MOODLE" ] || die "found a list already, expected one: LIST=, or MOODLE=, its older name"
 NOTHING=${NOTHING:-blank}
 # As gradebook --make reads them. Nobody else has to know the seed.
 # shellcheck disable=SC2163 # names

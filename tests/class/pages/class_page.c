@@ -17,6 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+TEMPLATE(class_html, "tests/class/pages/class.html");
+
 static void name_write(FILE *page, const void *about)
 {
     const Row *row = about;
@@ -290,7 +292,7 @@ int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet
                  gradebook->lab != NULL ? gradebook->lab : "");
         html_album_begin(output.file, title);
         const int failed =
-            template_write(output.file, "tests/class/pages/class.html",
+            template_write(output.file, class_html,
                            page_of(gradebook, &failures, &look_alikes, &leaderboard, worksheet));
         html_page_end(output.file);
         result = template_commit(&output, failed);

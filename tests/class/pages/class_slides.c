@@ -13,6 +13,8 @@
 #include <string.h>
 #include <unistd.h>
 
+TEMPLATE(slides_html, "tests/class/pages/slides.html");
+
 enum { MOST_SLIDES = 5 };
 
 // ---- Pictures ----------------------------------------------------------------------------------
@@ -118,7 +120,7 @@ static int slides_write(const Gradebook *gradebook, const Manifest *manifest,
         template_line(gradebook->title), "n_graded", gradebook->n_graded, "is_one", n_slides == 1,
         "n_slides", n_slides > 1 ? json_integer(n_slides) : NULL, "slides", slides);
     html_page_begin(output.file, gradebook->title);
-    const int failed = template_write(output.file, "tests/class/pages/slides.html", page);
+    const int failed = template_write(output.file, slides_html, page);
     html_page_end(output.file);
     return template_commit(&output, failed);
 }

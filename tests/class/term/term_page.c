@@ -6,6 +6,8 @@
 
 #include <stdlib.h>
 
+TEMPLATE(term_html, "tests/class/term/term.html");
+
 static json_t *lab_of(const Term *term, int i)
 {
     const TermCount count = term_count(term, i);
@@ -56,7 +58,7 @@ int term_page(const Term *term, const char *path)
         return -1;
     }
     html_page_begin(output.file, "The term");
-    const int failed = template_write(output.file, "tests/class/term/term.html", page);
+    const int failed = template_write(output.file, term_html, page);
     html_page_end(output.file);
     return template_commit(&output, failed);
 }

@@ -4,7 +4,6 @@
 #include "clean_text.h"
 #include "complain.h"
 #include "html.h"
-#include "text_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -120,18 +119,15 @@ static void part_write(FILE *page, const char *text, const char *begin, const ch
     fwrite(begin, 1, (size_t)(end - begin), page);
 }
 
-int template_write(FILE *page, const char *path, json_t *values)
+int template_write(FILE *page, const char *text, json_t *values)
 {
-    char *text = values != NULL ? text_file_read(path) : NULL;
-    if (text != NULL) {
-        part_write(page, text, text, text + strlen(text), &(Scope){values, NULL, 0, 0});
-    } else if (values == NULL) {
-        complain("gradebook: %s: out of memory", path);
+    if (values == NULL) {
+        complain("gradebook: out of memory for a page");
+        return -1;
     }
+    part_write(page, text, text, text + strlen(text), &(Scope){values, NULL, 0, 0});
     json_decref(values);
-    const int failed = text == NULL;
-    free(text);
-    return failed ? -1 : 0;
+    return 0;
 }
 
 int template_commit(OutputFile *output, int failed)

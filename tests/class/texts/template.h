@@ -16,9 +16,13 @@
 #include <jansson.h>
 #include <stdio.h>
 
-// Fill in a template, by its path from the course's top folder. `values`: an object, which is
-// released. Returns 0, or -1 after one message.
-int template_write(FILE *page, const char *path, json_t *values);
+// A template's text, which becomes a part of the program (so it depends on the file in tests.mk).
+#define TEMPLATE(name, path)                                                                       \
+    __asm__(".pushsection .rodata\n" #name ":\n.incbin \"" path "\"\n.byte 0\n.popsection");       \
+    extern const char name[]
+
+// Fill in a template. `values`: an object, which is released. Returns 0, or -1 after one message.
+int template_write(FILE *page, const char *text, json_t *values);
 
 // End the page's file: it is there whole or, where the template failed, as it was before. Returns
 // as above.
