@@ -6,9 +6,11 @@
 #include "complain.h"
 #include "number.h"
 
+#include <ctype.h>
 #include <getopt.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 // What getopt_long() returns for the first row of the table: beyond every letter, as those stand
@@ -156,6 +158,19 @@ static OptionsResult report_fault(const OptionTable *table, int fault, int about
     return OPTIONS_BAD;
 }
 
+// Take in a row's variable, if make has it.
+static OptionsResult read_from_make(const OptionTable *table, const OptionRow *row, void *values)
+{
+    char name[64];
+    size_t n = 0;
+    for (; n < sizeof name - 1 && row->name[n] != '\0'; n++) {
+        name[n] = row->name[n] == '-' ? '_' : (char)toupper((unsigned char)row->name[n]);
+    }
+    name[n] = '\0';
+    const char *text = getenv(name);
+    return text != NULL && text[0] != '\0' ? read_option(table, row, text, values) : OPTIONS_RUN;
+}
+
 OptionsResult option_table_read(const OptionTable *table, int argc, char **argv, void *values,
                                 int *is_given)
 {
@@ -169,6 +184,14 @@ OptionsResult option_table_read(const OptionTable *table, int argc, char **argv,
     }
 
     optind = 0;  // start afresh, for callers that read more than one command line
+    if (argc > 1 && table->n_from_make > 0 && strcmp(argv[1], "--make") == 0) {
+        for (int i = 0; i < table->n_from_make; i++) {
+            if (read_from_make(table, &table->rows[i], values) != OPTIONS_RUN) {
+                return OPTIONS_BAD;
+            }
+        }
+        optind = 2;
+    }
     int answer;
     // ":" asks for silence on faults and for ':' where an argument is missing.
     while ((answer = getopt_long(argc, argv, ":", known, NULL)) != -1) {

@@ -18,7 +18,7 @@ lab=00-hello-pixels
 run() {
     output=$1
     shift
-    tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$output" "$@" \
+    tests/class/grading/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$output" "$@" \
         >"$scratch/said" 2>&1 </dev/null
 }
 

@@ -144,7 +144,7 @@ wrong later-of-equals
 wrong red-blue-swapped
 
 echo "Grading a class of five:"
-setpriv --pdeathsig TERM tests/class/grade_class.sh --build "$build" --lab "$lab" --submissions "$class/submissions" \
+setpriv --pdeathsig TERM tests/class/grading/grade_class.sh --build "$build" --lab "$lab" --submissions "$class/submissions" \
     --output "$class/graded" --seed 7
 
 echo

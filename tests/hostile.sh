@@ -20,5 +20,5 @@ hostile() {
         ASAN_OPTIONS=exitcode=0:verbosity=3 UBSAN_OPTIONS=halt_on_error=1 OPENIMAGEIO_OPTIONS=threads=0 \
         LC_ALL=tr_TR.UTF-8 LANG=de_DE.UTF-8 LANGUAGE=de TZ=nowhere TERM=none COLUMNS=3 POSIXLY_CORRECT=1 \
         PARALLEL=--dry-run PARALLEL_SHELL=/bin/false SHELL=/bin/false CDPATH="$scratch" IFS=x \
-        ENV=/nowhere BASH_ENV=/nowhere GREP_OPTIONS=-v TAR_OPTIONS=--verbose XZ_OPT=--none OMP_NUM_THREADS=1 "$@"
+        LIST=/nowhere WHO=/nowhere DUE=never NAMES=off ENV=/nowhere BASH_ENV=/nowhere GREP_OPTIONS=-v TAR_OPTIONS=--verbose XZ_OPT=--none OMP_NUM_THREADS=1 "$@"
 }

@@ -3,7 +3,8 @@
 
 setup_for = demo
 grader: $(JUDGES)
-AUTHORS_INCLUDES += -I tests/mutation -I tests/memcheck -I tests/class -I tests/copies
+CLASS_ROOMS := $(patsubst %/,%,$(wildcard tests/class/*/))
+AUTHORS_INCLUDES += $(addprefix -I ,tests/mutation tests/memcheck $(CLASS_ROOMS) tests/copies)
 
 # ---- Known answers, and mechanical ones -----------------------------------------------------
 
@@ -15,13 +16,16 @@ $(addprefix $(OUT)/tools/,known mutants mutate): $(OUT)/tools/%: $(OUT)/obj/test
 # ---- A class ---------------------------------------------------------------------------------
 
 CLASS_LIBRARIES = -larchive -lnettle -licui18n -licuuc
-$(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(wildcard tests/class/*.c)))
+$(OUT)/libclass.a: $(call objects,$(filter-out %_tool.c,$(foreach room,$(CLASS_ROOMS),$(wildcard $(room)/*.c))))
 	$(archive)
+$(call objects,tests/class/pages/class_page.c): tests/class/pages/class.html
+$(call objects,tests/class/pages/class_slides.c): tests/class/pages/slides.html
+$(call objects,tests/class/term/term_page.c): tests/class/term/term.html
 $(OUT)/tools/gradebook: $(call objects,tests/class/gradebook_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 
 # An instructor's own points (POINTS=points.csv) as a manifest, for everything that reads one.
-$(OUT)/tools/points: $(call objects,tests/class/points_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/points: $(call objects,tests/class/points/points_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 own_points = $(if $(and $(POINTS),$(graded_lab)),$(OUT)/tools/points "$(graded_lab)" "$$POINTS" $(OUT)/own-points.json &&)
 grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(OUT)/tools/points)
@@ -29,28 +33,20 @@ grade pack gradescope autolab prairielearn github gitlab vpl: $(if $(POINTS),$(O
 grader: $(addprefix $(OUT)/tools/,holes gradebook points term known mutants mutate)
 .PHONY: grade-class
 grade-class: graded $(addprefix $(OUT)/tools/,gradebook points)  ## grade a class: LAB=03 SUBMISSIONS=folder or archive [OUTPUT=folder] [ENGINE=slurm] [SEED=n] [ONLY=failed|latest] [JOBS=n] [TIME_LIMIT=seconds] [AGAIN=1] [LIST=file.csv] [COLUMN=title] [WHO=file.csv] [CHANGES=file.csv] [POINTS=file.csv] [DUE="2026-11-25 23:59"] [LATE=10%/day,2days] [AGAINST=gradebook.json] [NOTHING=0|blank] [NAMES=no]
-	@exec tests/class/grade_class.sh --build $(OUT) --lab "$$LAB" --submissions "$$SUBMISSIONS" \
-	    $(if $(OUTPUT),--output "$$OUTPUT") $(if $(ENGINE),--engine "$$ENGINE") \
-	    $(if $(SEED),--seed "$$SEED") $(if $(ONLY),--only "$$ONLY") $(if $(JOBS),--jobs "$$JOBS") \
-	    $(if $(AGAIN),--again "$$AGAIN") $(if $(LIST),--list "$$LIST") $(if $(MOODLE),--moodle "$$MOODLE") $(if $(COLUMN),--column "$$COLUMN") \
-	    $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") \
-	    $(if $(POINTS),--points "$$POINTS") $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") \
-	    $(if $(AGAINST),--against "$$AGAINST") $(if $(NOTHING),--nothing "$$NOTHING") $(if $(NAMES),--names "$$NAMES") $(if $(DEVICE),--device "$$DEVICE") \
-	    $(if $(TIME_LIMIT),--time-limit "$$TIME_LIMIT")
+	@exec tests/class/grading/grade_class.sh --make --build $(OUT)
 
 .PHONY: feedback
 feedback: $(OUT)/tools/gradebook  ## give a graded class its reports back: LAB=03 FOR=moodle|canvas|ilias|mail|folders [OUTPUT=folder] [LIST=file.csv] [WHO=file.csv] [CHANGES=file.csv] [DUE=time] [LATE=points]
 	@$(say_which_lab)
-	@$(OUT)/tools/gradebook feedback $(if $(LIST),--list "$$LIST") $(if $(MOODLE),--moodle "$$MOODLE") $(if $(COLUMN),--column "$$COLUMN") $(if $(WHO),--who "$$WHO") $(if $(CHANGES),--changes "$$CHANGES") $(if $(DUE),--due "$$DUE") $(if $(LATE),--late "$$LATE") -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
+	@$(OUT)/tools/gradebook --make feedback -- "$$FOR" "$(if $(OUTPUT),$$OUTPUT,$(OUT)/class/$(firstword $(subst -, ,$(graded_lab))))"
 
 # The folders of CLASSES are words; the shell expands nothing in them (set -f).
-$(OUT)/tools/term: $(call objects,tests/class/term_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
+$(OUT)/tools/term: $(call objects,tests/class/term/term_tool.c) $(OUT)/libclass.a $(OUT)/libgrader.a $(OUT)/libcommon.a
 	$(call link,$(LIBRARIES) $(CLASS_LIBRARIES))
 classes_in = set -f; test -n "$$CLASSES" || { echo 'make $@: say which folders: make $@ CLASSES="../grades-00 ../grades-03"' >&2; exit 2; }
 .PHONY: term class-figures
 term: $(OUT)/tools/term  ## the labs of a term in one table: CLASSES="folder folder ..." [OUTPUT=folder] [PASS=points] [NEED=labs] [EXCEL=1]
-	@$(classes_in); $(OUT)/tools/term table $(if $(PASS),--pass "$$PASS") $(if $(NEED),--need "$$NEED") \
-	    $(if $(EXCEL),--excel) -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
+	@$(classes_in); $(OUT)/tools/term --make table -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 class-figures: $(OUT)/tools/term  ## where classes fail, by lab and check, without any names: CLASSES="folder folder ..." [OUTPUT=folder]
 	@$(classes_in); $(OUT)/tools/term figures -- "$(if $(OUTPUT),$$OUTPUT,$(OUT)/term)" $$CLASSES
 

@@ -1,15 +1,6 @@
 // gradebook: from a folder of submissions to a roster, and from graded submissions to a gradebook.
 //
-//     gradebook unpack BUILD ARCHIVE FOLDER
-//     gradebook roster [--latest] [--commits] LAB-NUMBER SUBMISSIONS FOLDER
-//     gradebook contents FOLDER <names
-//     gradebook keys [--seed N] GRADER FOLDER <contents
-//     gradebook check [LIST]... [--against OLD.json] LAB FOLDER
-//     gradebook write [LIST]... [--against OLD.json] [--nothing 0|blank] [--names no] FOLDER
-//     gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER
-//
-//     LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv,
-//           --due DUE, --late LATE
+// What each command takes is in usage().
 //
 // `unpack` unpacks an export into the empty FOLDER, in the sandbox, and prints the folder below it
 // that holds the submissions; `roster` writes FOLDER/roster.json and a link
@@ -23,26 +14,25 @@
 // line says (tally.h); 2 after one message. Read next: export_archive.h, roster.h, class_keys.h,
 // gradebook.h; grade_class.sh, which calls all but the last.
 #include "class_keys.h"
-#include "class_slides.h"
+#include "class_page.h"
 #include "clean_text.h"
-#include "commits.h"
 #include "complain.h"
 #include "corrections.h"
 #include "decisions.h"
 #include "entry_content.h"
 #include "export_archive.h"
 #include "feedback.h"
-#include "gradebook.h"
 #include "lateness.h"
+#include "list_columns.h"
 #include "look_alikes.h"
 #include "number.h"
 #include "option_table.h"
 #include "owners.h"
 #include "path.h"
+#include "roster.h"
 #include "tally.h"
 #include "text_file.h"
 #include "upload_csv.h"
-#include "worksheet.h"
 
 #include <dirent.h>
 #include <getopt.h>
@@ -63,7 +53,7 @@ static int usage(void)
           "[--names no] FOLDER\n"
           "       gradebook feedback [LIST]... moodle|canvas|ilias|folders|mail FOLDER\n"
           "LIST: --list PARTICIPANTS.csv, --column TITLE, --who WHO.csv, --changes CHANGES.csv, "
-          "--due DUE, --late LATE\n",
+          "--due DUE, --late LATE; or --make as the first word: all from LIST=, COLUMN= ...\n",
           stderr);
     return EXIT_FAULT;
 }
@@ -516,11 +506,8 @@ typedef struct GradebookOptions {
 
 int main(int argc, char **argv)
 {
-    enum { SEED = 1, N_ROWS = 14 };
+    enum { N_FROM_MAKE = 10, SEED = N_FROM_MAKE, N_ROWS = 14 };
     static const OptionRow rows[N_ROWS] = {
-        {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
-        [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
-        {.name = "commits", .kind = OPTION_FLAG, .place = PLACE(has_commits)},
         {.name = "list", .argument = "PARTICIPANTS", .place = PLACE(paths.list.path)},
         {.name = "moodle", .argument = "WORKSHEET", .place = PLACE(paths.list.path)},  // older
         {.name = "column", .argument = "TITLE", .place = PLACE(paths.list.column)},
@@ -531,9 +518,12 @@ int main(int argc, char **argv)
         {.name = "against", .argument = "OLD", .place = PLACE(paths.against)},
         {.name = "nothing", .argument = "0|blank", .place = PLACE(nothing)},
         {.name = "names", .argument = "no", .place = PLACE(names)},
+        [SEED] = {.name = "seed", .argument = "N", .kind = OPTION_SEED, .place = PLACE(seed)},
+        {.name = "latest", .kind = OPTION_FLAG, .place = PLACE(only_latest)},
+        {.name = "commits", .kind = OPTION_FLAG, .place = PLACE(has_commits)},
         {.name = "help", .kind = OPTION_ANSWER, .place = PLACE(help)},
     };
-    const OptionTable table = {"gradebook", rows, N_ROWS, .takes_words = 1};
+    const OptionTable table = {"gradebook", rows, N_ROWS, 1, N_FROM_MAKE};
     GradebookOptions options = {0};
     int is_given[N_ROWS];
     const OptionsResult result = option_table_read(&table, argc, argv, &options, is_given);

@@ -13,8 +13,8 @@
 # copies_tool.c.
 set -u
 export LC_ALL=C
-# shellcheck source=tests/class/one_run.sh
-. tests/class/one_run.sh
+# shellcheck source=tests/class/grading/one_run.sh
+. tests/class/grading/one_run.sh
 
 die() {
     printf 'copies: %s\n' "$*" >&2

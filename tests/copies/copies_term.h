@@ -1,6 +1,6 @@
 // Pairs over several labs: who is alike in one lab after the other.
 //
-// Who is who across labs is what the table of a term says (../class/term.h).
+// Who is who across labs is what the table of a term says (../class/term/term.h).
 #ifndef COPIES_TERM_H
 #define COPIES_TERM_H
 

@@ -1,9 +1,9 @@
 # What libFuzzer feeds, compiled by clang together with the target: a list for each tests/fuzz/fuzz_*.c.
 
 CLANG ?= $(firstword $(foreach c,clang clang-19 clang-15 clang-14,$(shell command -v $(c))))
-FUZZED_forms = $(addprefix tests/copies/,forms.c forms_add.c expression.c form_list.c live_text.c macros.c name_set.c remarks.c) tests/grader/submission/source_words.c \
+FUZZED_forms = $(addprefix tests/copies/,forms.c forms_add.c expression.c form_list.c live_text.c macros.c remarks.c) tests/grader/submission/source_words.c \
     common/message.c $(MESSAGES)
-FUZZED_graded = tests/class/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
+FUZZED_graded = tests/class/grading/graded.c $(addprefix tests/grader/verdict/,diagnosis.c result.c) $(addprefix common/,message.c image.c) $(MESSAGES)
 FUZZED_manifest = $(addprefix tests/grader/lab/,manifest.c json_place.c) $(addprefix common/,message.c number.c path.c) $(MESSAGES)
 FUZZED_scene3d = $(wildcard common/scene3d*.c common/molecule*.c) $(MESSAGES) \
     $(addprefix common/,elements.c line_reader.c number.c scene_arguments.c text_file.c)

@@ -12,7 +12,7 @@ static void check_graded(const Graded *graded)
     MUST_HOLD(graded->n_tasks >= 1 && graded->n_tasks <= MANIFEST_MAX_TASKS);
     MUST_HOLD(graded->n_checks >= 0 && graded->n_checks <= RESULT_MAX_CHECKS);
     for (int i = 0; i < graded->n_tasks; i++) {
-        const GradedTask *task = &graded->tasks[i];
+        const Column *task = &graded->tasks[i];
         MUST_HOLD(strlen(task->id) + strlen(task->title) < 1 << 20);
         MUST_HOLD(task->points >= 0 && task->points <= task->max_points);
         points += task->points;
@@ -20,7 +20,7 @@ static void check_graded(const Graded *graded)
     }
     MUST_HOLD(points == graded->score && max_points == graded->max_score);
     for (int i = 0; i < graded->n_checks; i++) {
-        const GradedCheck *check = &graded->checks[i];
+        const Column *check = &graded->checks[i];
         MUST_HOLD(strlen(check->id) + strlen(check->title) + strlen(check->message) < 1 << 20);
         MUST_HOLD(check->status >= CHECK_PASSED && check->status <= CHECK_NOT_RUN);
     }

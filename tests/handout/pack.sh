@@ -7,7 +7,7 @@
 # It holds the lab's skeleton, the solutions of the labs before it, common/, kernels/, the grader, this
 # lab's probe and judge, and a README of its own; never anything of this lab's solution or of later labs. Of the
 # course only tracked files go in. The same commit gives the same
-# bytes. TOOLS is the folder with the built tool `holes`. MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points_tool.c).
+# bytes. TOOLS is the folder with the built tool `holes`. MANIFEST takes the place of the lab's lab.json: an instructor's own points (tests/class/points/points_tool.c).
 set -eu
 . tests/handout/archive.sh
 

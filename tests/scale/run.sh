@@ -55,7 +55,7 @@ processes() { grep -lsz "^CLASS_FOLDER=.*/scale/graded\$" /proc/[0-9]*/environ |
 
 mounts=$(wc -l </proc/self/mounts)
 started=$(date +%s)
-tests/class/grade_class.sh --build "$build" --lab 03 --submissions "$scale/class" \
+tests/class/grading/grade_class.sh --build "$build" --lab 03 --submissions "$scale/class" \
     --output "$scale/graded" --seed 1 >"$scale/log" 2>&1 </dev/null &
 driver=$!
 watch $driver >"$scale/memory"
@@ -67,7 +67,7 @@ files=$(find "$TMPDIR" -mindepth 1 | wc -l)
 mounts=$(($(wc -l </proc/self/mounts) - mounts))
 n_jobs=$(wc -l <"$scale/graded/joblog")
 started=$(date +%s)
-tests/class/grade_class.sh --build "$build" --lab 03 --submissions "$scale/class" \
+tests/class/grading/grade_class.sh --build "$build" --lab 03 --submissions "$scale/class" \
     --output "$scale/graded" --seed 1 >"$scale/log-again" 2>&1 </dev/null
 again=$(($(date +%s) - started))
 

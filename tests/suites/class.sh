@@ -9,7 +9,7 @@ set -u
 . tests/hostile.sh
 
 # n_graded OUTPUT: how many gradings the job log has.
-n_graded() { grep -c "tests/class/grade_one.sh" "$1/joblog"; }
+n_graded() { grep -c "tests/class/grading/grade_one.sh" "$1/joblog"; }
 
 # processes OUTPUT: the ids of everything that works for it.
 processes() { grep -lsz "^CLASS_FOLDER=$1\$" /proc/[0-9]*/environ | sed 's|/proc/||; s|/environ||'; }
@@ -26,7 +26,7 @@ program() {
 
 # hostile_class OUTPUT: a class of one.
 hostile_class() {
-    hostile tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$one" --output "$1" \
+    hostile tests/class/grading/grade_class.sh --build "$build" --lab 0 --submissions "$one" --output "$1" \
         >"$scratch/said" 2>&1 </dev/null
 }
 
@@ -185,7 +185,7 @@ check "is refused" said "found OUTPUT in SUBMISSIONS"
 check "and not made" test ! -e "$class/out"
 mkdir -p "$scratch/nested/submissions"
 (cd solutions/$lab && zip -q "$scratch/nested/submissions/ada.zip" ./*.c*)
-check "submissions in the folder for the results" exits 2 tests/class/grade_class.sh --build "$build" --lab 0 \
+check "submissions in the folder for the results" exits 2 tests/class/grading/grade_class.sh --build "$build" --lab 0 \
     --submissions "$scratch/nested/submissions" --output "$scratch/nested"
 check "are refused, and still there" test -s "$scratch/nested/submissions/ada.zip"
 echo 02-kdtree-2d-build >"$first/lab"
@@ -205,7 +205,7 @@ check "a list that is none" exits 2 run "$first" --again 1 --moodle "$scratch/no
 check "another lab's gradebook to compare with" exits 2 run "$first" --again 1 --against "$scratch/other-lab.json"
 check "is named" said "found a gradebook of 02-kdtree-2d-build, expected one of $lab"
 check "both before anything is graded" test "$(n_graded "$first")" -eq "$before"
-check "another lab is a fault" exits 2 tests/class/grade_class.sh --lab 42 --submissions "$class"
+check "another lab is a fault" exits 2 tests/class/grading/grade_class.sh --lab 42 --submissions "$class"
 
 # ---- Moodle and Gradescope ----------------------------------------------------------------------
 
@@ -395,7 +395,7 @@ regraded() {
 }
 check "the same course elsewhere: nothing is graded" regraded 0
 mkdir "$fake/judges"
-for program in judges/$lab tools/unpack tools/grade; do
+for program in "judges/$lab" tools/unpack tools/grade; do
     echo '# changed' >>"$fake/$program"
     check "another $program: all are graded again" regraded 2
 done
@@ -428,7 +428,7 @@ full() {
         rm "$scratch/full/other"
         "$@" >"$0" 2>&1 </dev/null || then=$?
         echo "$first $then"' "$scratch/said" "$scratch" "$1" \
-        tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$scratch/full"
+        tests/class/grading/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$scratch/full"
 }
 export scratch
 if unshare -rm mount -t tmpfs room "$scratch/w" 2>/dev/null; then
@@ -445,7 +445,7 @@ for slug in meets-a-1 meets-b-1; do echo "$slug key 1"; done >"$two/keys"
 : >"$two/names"
 for slug in meets-a-1 meets-b-1; do
     CLASS_FOLDER=$two CLASS_BUILD=$build CLASS_LAB=$lab CLASS_WORK=$TMPDIR/two CLASS_DEVICE='' \
-        CLASS_TIME_LIMIT='' CLASS_TELLS='' CLASS_SECONDS=7200 tests/class/grade_one.sh $slug &
+        CLASS_TIME_LIMIT='' CLASS_TELLS='' CLASS_SECONDS=7200 tests/class/grading/grade_one.sh $slug &
 done
 wait
 for slug in meets-a-1 meets-b-1; do

@@ -23,7 +23,7 @@ Dora*) exit 2 ;;
 esac'
 
 # n_graded OUTPUT: how many gradings the job log has.
-n_graded() { grep -c "tests/class/grade_one.sh" "$1/joblog"; }
+n_graded() { grep -c "tests/class/grading/grade_one.sh" "$1/joblog"; }
 
 class=$scratch/course
 for entry in "Ada Lovelace_21_assignsubmission_file_" "Ada Lovelace_22_assignsubmission_file_" \

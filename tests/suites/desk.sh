@@ -247,7 +247,7 @@ check "so does make hint" stays_inside make -s hint LAB=04
 check "so does make progress" stays_inside make -s progress
 mkdir -p "$scratch/class/Ada"
 cp "labs/$other"/*.c* "$scratch/class/Ada/"
-check "so does make grade-class" stays_inside tests/class/grade_class.sh --build build --lab 04 \
+check "so does make grade-class" stays_inside tests/class/grading/grade_class.sh --build build --lab 04 \
     --submissions "$scratch/class" --output "$scratch/graded"
 check "which graded it" grep -q '^1 of 1 graded' "$scratch/said"
 check "so does make copies" stays_inside tests/copies/copies.sh --build build --lab 04 --output "$scratch/graded"

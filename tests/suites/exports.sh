@@ -391,7 +391,7 @@ check "and is not passed over" test -n "$(find "$scratch/hidden.out/students" -n
 
 # refused ARCHIVE WORDS: not graded, for this reason?
 refused() {
-    exits 2 tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$scratch/$1" --output "$scratch/refused" \
+    exits 2 tests/class/grading/grade_class.sh --build "$build" --lab 0 --submissions "$scratch/$1" --output "$scratch/refused" \
         >"$scratch/said" 2>&1 </dev/null && said "gradebook: $1: $2"
 }
 head -c -40 "$scratch/packed.tar.gz" >"$scratch/cut.tar.gz"

@@ -114,7 +114,7 @@ ln -s /etc "$class/eve"
 run() {
     output=$1
     shift
-    tests/class/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$output" \
+    tests/class/grading/grade_class.sh --build "$build" --lab 0 --submissions "$class" --output "$output" \
         --seed 5 "$@" >"$scratch/said" 2>&1 </dev/null
     [ $? -eq 1 ] || { cat "$scratch/said"; return 1; }
 }

@@ -134,6 +134,18 @@ readers=$(grep -rnE '(^|[|({ ])(sed|awk|grep|tail|head|cut) [^|#]*[.]json' commo
 [ -z "$readers" ]
 ok $? "scripts read JSON with jq" "$readers"
 
+# The rooms of tests/class, each of which includes only rooms before it.
+rooms="texts term exports folders entries grading people points pages ways_back"
+later=$rooms upward=
+for room in $rooms; do
+    later=${later#*"$room"}
+    # shellcheck disable=SC2086 # rooms are words
+    headers=$(for above in $later; do find "tests/class/$above" -name '*.h' -printf '%f\n'; done)
+    upward=$upward$(grep -n '^#include "' tests/class/"$room"/*.[ch] | grep -wF -e "${headers:-no header}")
+done
+[ -z "$upward" ] && [ "$(echo "$rooms" | tr ' ' '\n' | sort)" = "$(find tests/class -mindepth 1 -type d -printf '%f\n' | sort)" ]
+ok $? "no room of tests/class includes one that comes after it" "$upward"
+
 strays=$(find common kernels labs solutions slides-notes tests -name '*.o' -o -name '*.orig' -o -name '*~' -o -name 'a.out')
 [ -z "$strays" ]
 ok $? "nothing built beside a source" "$strays"

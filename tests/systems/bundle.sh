@@ -4,7 +4,7 @@
 #     tests/systems/bundle.sh gradescope|autolab|prairielearn|github|gitlab|vpl LAB FOLDER [MANIFEST]
 #
 # LAB is a lab's number or name: 3, 03 or 03-kdtree-2d-render. MANIFEST takes the place of the lab's lab.json: an
-# instructor's own points (tests/class/points_tool.c). HIDE and THROTTLE in the environment are for Gradescope
+# instructor's own points (tests/class/points/points_tool.c). HIDE and THROTTLE in the environment are for Gradescope
 # (gradescope/options.sh).
 #
 # The same sources make the same bytes: names are sorted, owners and rights are fixed, and every

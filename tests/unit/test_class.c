@@ -5,6 +5,9 @@
 #include "leaderboard.h"
 #include "look_alikes.h"
 #include "name_likeness.h"
+#include "option_table.h"
+#include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <criterion/criterion.h>
@@ -289,11 +292,8 @@ static Row row_make(const Entrant *entrant, const char *first, const char *secon
 
 static Gradebook two_checks(Row *rows, int n_rows)
 {
-    return (Gradebook){.rows = rows,
-                       .n_rows = n_rows,
-                       .checks = {{.id = (char *)"one", .title = (char *)"One"},
-                                  {.id = (char *)"two", .title = (char *)"Two"}},
-                       .n_checks = 2};
+    static const Column checks[] = {{.id = "one", .title = "One"}, {.id = "two", .title = "Two"}};
+    return (Gradebook){.rows = rows, .n_rows = n_rows, .checks = checks, .n_checks = 2};
 }
 
 Test(failures, are_the_same_whatever_the_numbers)
@@ -387,4 +387,40 @@ Test(leaderboard, without_figures_there_are_no_places)
     cr_assert_eq(leaderboard_find(&nobody, &found), 0);
     cr_expect_eq(found.n_places, 0);
     leaderboard_free(&found);
+}
+
+// ---- Options -----------------------------------------------------------------------------------
+
+typedef struct Made {
+    const char *list;
+    int need, excel;
+    const char *own;  // not make's
+} Made;
+
+static Made made_read(const char *first)
+{
+    static const OptionRow rows[] = {
+        {"list", "FILE", OPTION_TEXT, offsetof(Made, list), 0, 0, 0, ""},
+        {"need-of", "N", OPTION_NUMBER, offsetof(Made, need), 1, 9, 0, ""},
+        {.name = "excel", .kind = OPTION_FLAG, .place = offsetof(Made, excel)},
+        {"own", "TEXT", OPTION_TEXT, offsetof(Made, own), 0, 0, 0, ""},
+    };
+    const OptionTable table = {"test", rows, 4, .takes_words = 1, .n_from_make = 3};
+    char *words[] = {(char *)"test", (char *)first, (char *)"--own=x", (char *)"word", NULL};
+    Made made = {0};
+    cr_assert_eq(option_table_read(&table, 4, words, &made, NULL), OPTIONS_RUN);
+    cr_expect_str_eq(made.own, "x");
+    return made;
+}
+
+Test(options, are_makes_variables_only_where_make_says_so)
+{
+    setenv("LIST", "a b.csv", 1), setenv("NEED_OF", "3", 1), setenv("EXCEL", "", 1);
+    setenv("OWN", "foreign", 1);
+    const Made made = made_read("--make"), plain = made_read("--own=x");
+    cr_expect_str_eq(made.list, "a b.csv");
+    cr_expect_eq(made.need, 3);
+    cr_expect_eq(made.excel, 0, "an empty one is not given");
+    cr_expect_null(plain.list);
+    cr_expect_eq(plain.need, 0);
 }

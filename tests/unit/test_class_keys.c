@@ -1,4 +1,4 @@
-// class/class_keys and class/class_secret: which hidden scenes each entry of a class gets.
+// class/grading/class_keys and class_secret: which hidden scenes each entry of a class gets.
 //
 // What the driver does with them is in suites/seeds.sh.
 #include "class_keys.h"

@@ -1,4 +1,4 @@
-// class/moment: times as course systems and people write them.
+// class/texts/moment: times as course systems and people write them.
 #include "moment.h"
 #include "surroundings.h"
 

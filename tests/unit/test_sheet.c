@@ -1,6 +1,5 @@
-// class/sheet_number and class/sheet_text: lists as course systems and spreadsheets write them.
-#include "sheet_number.h"
-#include "sheet_text.h"
+// class/texts/sheet_number and sheet_text: lists as course systems and spreadsheets write them.
+#include "sheet.h"
 #include "surroundings.h"
 
 #include <stdlib.h>

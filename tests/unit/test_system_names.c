@@ -1,7 +1,7 @@
 // Unit tests of the names that course systems give to what students hand in.
+#include "course_system.h"
 #include "entry_name.h"
-#include "evidence.h"
-#include "system_names.h"
+#include "ilias.h"
 #include "text_file.h"
 
 #include <criterion/criterion.h>
@@ -88,7 +88,7 @@ Test(system_names, are_taken_apart)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const SystemName name = read_first(cases[i].entry);
         cr_expect_eq(name.system, cases[i].system, "%s: found %s", cases[i].entry,
-                     evidence_of(name.system)->title);
+                     course_system(name.system)->title);
         expect_part(name.name, cases[i].name, cases[i].entry);
         expect_part(name.number, cases[i].number, cases[i].entry);
         expect_part(name.login, cases[i].login, cases[i].entry);
@@ -141,13 +141,13 @@ Test(evidence, is_the_table_that_instructors_read)
     char *text = text_file_read("tests/INSTRUCTORS.md");
     for (ExportSystem system = SYSTEM_NONE; system < N_SYSTEMS; system++) {
         char row[512];
-        const SystemEvidence *evidence = evidence_of(system);
+        const CourseSystem *evidence = course_system(system);
         snprintf(row, sizeof row, "\n| %s | %s | %s | %s | %s |\n", evidence->title,
                  evidence->identity, writer_words(evidence->identity_writer), evidence->time,
                  writer_words(evidence->time_writer));
         cr_expect_not_null(strstr(text, row), "tests/INSTRUCTORS.md: expected the row%s", row);
-        cr_expect_eq(evidence_find(evidence->title), system);
+        cr_expect_eq(course_system_find(evidence->title), system);
     }
-    cr_expect_eq(evidence_find("Canvas LMS"), SYSTEM_NONE);
+    cr_expect_eq(course_system_find("Canvas LMS"), SYSTEM_NONE);
     free(text);
 }

@@ -12,8 +12,8 @@
 //       "leaderboard": "times as fast as lab 00's kernel",
 //       "hours": 2, "look": "--scene random:n=500", "figure": "01-naive-2d.png" }
 //
-// An instructor's own points make another such file of it (class/points_tool.c), with one more
-// field, and 0 points for a check that is turned off:
+// An instructor's own points make another such file of it (class/points/points_tool.c), with one
+// more field, and 0 points for a check that is turned off:
 //
 //       "changed": { "says": "1 check is off (points.csv)", "total": 90,
 //                    "hidden": ["overlaps-inside"], "time_limit": 30, "seed": "7" }
