@@ -48,8 +48,8 @@ typedef struct OptionTable {
     const OptionRow *rows;
     int n_rows;       // at most OPTION_TABLE_MAX_ROWS
     int takes_words;  // 1: words that are no options are left, in order, at argv[optind]
-    // With --make as its first word the first so many rows are read from the environment, too, where
-    // make has them: "time-limit" is TIME_LIMIT. An empty one is not given.
+    // With --make as its first word the first so many rows are read from the environment, too,
+    // where make has them: "time-limit" is TIME_LIMIT. An empty one is not given.
     int n_from_make;
 } OptionTable;
 

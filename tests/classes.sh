@@ -41,12 +41,12 @@ row() { text=$2 awk 'index($0, ENVIRON["text"]) == 1 { n++ } END { exit n != 1 }
 all_right() {
     check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
         --submission solutions/$lab --output "$scratch/right"
-    stand_in "$scratch/right"
+    stub "$scratch/right"
 }
 
-# stand_in RESULTS [FAULTS]: from here on classes are graded by a grader that gives everybody the results
+# stub RESULTS [FAULTS]: from here on classes are graded by a grader that gives everybody the results
 # in this folder, behind lines of shell that have $student, $submission and $output.
-stand_in() {
+stub() {
     fake=$scratch/fake
     mkdir -p "$fake/tools"
     ln -s "$build/tools/gradebook" "$fake/tools"

@@ -76,7 +76,7 @@ state() {
 }
 # Only `make test` asks; a test that is asked for by its name is run.
 export STATE=
-if [ -n "${HEART:-}" ] && [ $# -eq 0 ]; then STATE=$(state); fi
+if [ -n "${QUICK:-}" ] && [ $# -eq 0 ]; then STATE=$(state); fi
 
 # ---- What is started ends with this script ------------------------------------------------------
 

@@ -33,7 +33,7 @@ if [ -e "tests/suites/$name.sh" ]; then
 else
     # In `make test-all` under the sanitizers, but for this one: PoCL's compiler is not built for them.
     program=$BUILD/sanitized/tests/$name
-    [ -z "${HEART:-}" ] && [ "$name" != test_cl_setup ] || program=$tests/$name
+    [ -z "${QUICK:-}" ] && [ "$name" != test_cl_setup ] || program=$tests/$name
     timeout --kill-after=10 $longest "$program" --jobs 2 --tap="$tap" >"$tests/$name.log" 2>&1 </dev/null || status=$?
     # A program that was killed has written none.
     [ -e "$tap" ] || : >"$tap"

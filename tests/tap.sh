@@ -50,17 +50,17 @@ pass_on() {
     done <"$1"
 }
 
-# `make test` sets HEART: each suite tries its heart, so that all together take minutes. `make test-all` and
+# `make test` sets QUICK: each suite tries its quick part, so that all together take minutes. `make test-all` and
 # `tests/run.sh NAME` try all.
 
-# heart "WORDS" ALL...: prints WORDS in `make test`, else ALL.
-heart() {
-    if [ -n "${HEART:-}" ]; then echo "$1"; else shift && echo "$*"; fi
+# quick "WORDS" ALL...: prints WORDS in `make test`, else ALL.
+quick() {
+    if [ -n "${QUICK:-}" ]; then echo "$1"; else shift && echo "$*"; fi
 }
 
-# heart_ends: in `make test` the suite ends here.
-heart_ends() {
-    [ -z "${HEART:-}" ] || { finish; exit; }
+# quick_ends: in `make test` the suite ends here.
+quick_ends() {
+    [ -z "${QUICK:-}" ] || { finish; exit; }
 }
 
 # await COMMAND...: until the command does. What has not come after ten minutes never will.

@@ -107,7 +107,7 @@ figures: all views pixels $(FIGURES)  ## draw the pictures of the READMEs and no
 	tests/figures.sh slides-notes/figures $(OUT) >/dev/null
 
 # Texts of answers are as somebody wrote them.
-NOT_OURS = -e ^labs/ -e ^tests/stand_ins/ -e ^tests/attacks/
+NOT_OURS = -e ^labs/ -e ^tests/stubs/ -e ^tests/attacks/
 # Older ones, that editors may have, know no InsertBraces: it is not in .clang-format.
 format:  ## put every source into the one format
 	clang-format-19 --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' -i $$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' | grep -v $(NOT_OURS))
@@ -203,27 +203,27 @@ $(UNIT_ANSWERS): $(NATIVE)/answers/%/9: $(wildcard kernels/* solutions/*/*.[ch]*
 # them. In `make test` they run without: this second build takes longer than the first.
 NATIVE_TEST = $(OUT)/tests/test_cl_setup
 
-.PHONY: unit-tests watched suites heart tests check test test-all test-scale test-seeds test-mutants test-attacks
+.PHONY: unit-tests watched suites quick tests check test test-all test-scale test-seeds test-mutants test-attacks
 unit-tests: $(filter-out $(NATIVE_TEST),$(UNIT_TESTS))
 # What the suites run with the sanitizers: solutions, whose skeletons have the same code around the holes.
 watched: unit-tests $(filter $(OUT)/solutions/% $(OUT)/view/solutions/% $(OUT)/pixel/solutions/%,$(PROGRAMS) $(VIEWS) $(PIXELS))
-# All that `make test` runs, which tries each suite's heart (tests/tap.sh): with SDL and clang's sanitizers where they are.
+# All that `make test` runs, which tries each suite's quick part (tests/tap.sh): with SDL and clang's sanitizers where they are.
 suites: all $(UNIT_ANSWERS) $(NATIVE_TEST) $(SUITE_TOOLS) $(OUT)/tools/pictures $(OUT)/tests/no_images.so native \
     $(filter $(OUT)/pixel/solutions/%,$(PIXELS)) $$(if $$(shell $$(has_sdl) && echo yes),$$(SEEN_SOLUTIONS)) \
     $$(if $$(shell $$(has_sanitizers) && echo yes),memcheck-libraries)
 SEEN_SOLUTIONS := $(filter $(OUT)/view/solutions/%,$(VIEWS))
 has_sdl = pkg-config --exists sdl2 SDL2_ttf 2>/dev/null
 has_sanitizers = echo 'int main(void) { return 0; }' | clang -fsanitize=memory -x c - -o /dev/null 2>/dev/null
-heart: suites unit-tests
+quick: suites unit-tests
 # The bench is built here, too: it must not break unnoticed.
 tests: suites memcheck-libraries views pixels $(FIGURES) $(OUT)/tools/plane_costs $$(BENCH_PROGRAMS)  ## build all that the tests run
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run all tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
-test:  ## install what is missing and run the tests' heart: minutes
+test:  ## install what is missing and run the tests' quick: minutes
 	@common/setup/install.sh test
-	@$(MAKE) --no-print-directory heart
-	@HEART=1 BUILD="$(BUILD)" tests/run.sh
+	@$(MAKE) --no-print-directory quick
+	@QUICK=1 BUILD="$(BUILD)" tests/run.sh
 test-all:  ## install what is missing and run every test, end to end
 	@common/setup/install.sh test test-all
 	@$(MAKE) --no-print-directory check

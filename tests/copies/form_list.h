@@ -1,5 +1,5 @@
-// Texts put together to forms, sets of names, and arrays that grow. Whatever finds no memory ends the program
-// after one message: an instructor starts it anew, and nothing is lost.
+// Texts put together to forms, sets of names, and arrays that grow. Whatever finds no memory ends
+// the program after one message: an instructor starts it anew, and nothing is lost.
 #ifndef COPIES_FORM_LIST_H
 #define COPIES_FORM_LIST_H
 

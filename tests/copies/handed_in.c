@@ -14,7 +14,7 @@
 #include "text_file.h"
 #include "trial.h"
 #include "untouched.h"
-#include "workshop_files.h"
+#include "workdir_files.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -131,14 +131,14 @@ static void unread_note(HandedIn *class, const Entrant *entrant)
 }
 
 // Stage an entry in a folder of its own, and take its answers. Returns 0, or -1 after one message.
-static int entry_read(HandedIn *class, const Workshop *all, const char *folder,
+static int entry_read(HandedIn *class, const Workdir *all, const char *folder,
                       const Entrant *entrant)
 {
     char path[PATH_MAX], staged[PATH_MAX];
     char *message = NULL;
-    Workshop workshop = *all;
+    Workdir workdir = *all;
     path_make(path, "%s/submissions/%s", folder, entrant->slug);
-    path_make(workshop.folder, "%s/%s", all->folder, entrant->slug);
+    path_make(workdir.folder, "%s/%s", all->folder, entrant->slug);
     path_make(staged, "%s/%s/staged", all->folder, entrant->slug);
     if (access(path, F_OK) != 0) {
         complain(
@@ -146,23 +146,23 @@ static int entry_read(HandedIn *class, const Workshop *all, const char *folder,
             path);
         return -1;
     }
-    if (make_folder(workshop.folder) != 0 || make_closed_folder(staged) != 0) {
+    if (make_folder(workdir.folder) != 0 || make_closed_folder(staged) != 0) {
         return -1;
     }
-    const int outcome = submission_stage(&workshop, path, staged, &message);
+    const int outcome = submission_stage(&workdir, path, staged, &message);
     free(message);  // the student reads it in the report
     if (outcome >= 0) {
         entry_take(class, entrant, staged);
     } else {
         unread_note(class, entrant);
     }
-    if (folder_remove(workshop.folder) != 0) {
-        return machine_fault(workshop.folder);
+    if (folder_remove(workdir.folder) != 0) {
+        return machine_fault(workdir.folder);
     }
     return 0;
 }
 
-static int entries_read(HandedIn *class, const Workshop *workshop, const char *folder)
+static int entries_read(HandedIn *class, const Workdir *workdir, const char *folder)
 {
     int result = 0;
     for (int i = 0; result == 0 && i < class->roster.n_entrants; i++) {
@@ -171,7 +171,7 @@ static int entries_read(HandedIn *class, const Workshop *workshop, const char *f
             class->n_without++;
         } else {
             memory_reading(entrant->slug);
-            result = entry_read(class, workshop, folder, entrant);
+            result = entry_read(class, workdir, folder, entrant);
             memory_reading(NULL);
         }
     }
@@ -202,31 +202,31 @@ static int folder_clear(void *what)
 int handed_in_read(const char *build, const char *lab, const char *folder, HandedIn *class)
 {
     char path[PATH_MAX];
-    Workshop workshop = {.build = build, .manifest = &class->manifest};
+    Workdir workdir = {.build = build, .manifest = &class->manifest};
     *class = (HandedIn){0};
     path_make(path, "%s/roster.json", folder);
     if (manifest_load(manifest_folder(lab), lab, &class->manifest) != 0 ||
         roster_load(path, &class->roster) != 0 ||
-        settings_find_sandbox(NULL, &workshop.sandbox) != 0 ||
-        sandbox_choose(workshop.sandbox, &workshop.sandbox) != 0) {
+        settings_find_sandbox(NULL, &workdir.sandbox) != 0 ||
+        sandbox_choose(workdir.sandbox, &workdir.sandbox) != 0) {
         return -1;
     }
     scopes_read(class);
     const size_t n_most = (size_t)class->roster.n_entrants + 1;
     class->authors = memory_take(n_most * sizeof *class->authors);
     class->unread = memory_take(n_most * sizeof *class->unread);
-    if (temporary_folder_make(workshop.folder, "copies") != 0) {
+    if (temporary_folder_make(workdir.folder, "copies") != 0) {
         return machine_fault("no temporary folder in $TMPDIR or /tmp");
     }
     // The sandbox's user passes through it.
-    int result = janitor_start(&workshop.janitor, folder_clear, workshop.folder) == 0
-                     ? make_folder(workshop.folder)
+    int result = janitor_start(&workdir.janitor, folder_clear, workdir.folder) == 0
+                     ? make_folder(workdir.folder)
                      : machine_fault("no process can be started");
     if (result == 0) {
-        result = entries_read(class, &workshop, folder);
+        result = entries_read(class, &workdir, folder);
     }
-    folder_clear(workshop.folder);
-    janitor_dismiss(&workshop.janitor);
+    folder_clear(workdir.folder);
+    janitor_dismiss(&workdir.janitor);
     return result;
 }
 

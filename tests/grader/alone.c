@@ -1,11 +1,11 @@
 // Trying the answer to one task alone (see alone.h).
 //
 // Called by grading_alone.c for each task with a failed check. Read next:
-// tests/stand_ins/README.md.
+// tests/stubs/README.md.
 #include "alone.h"
 
 #include "holes.h"
-#include "lot.h"
+#include "nonce.h"
 #include "path.h"
 #include "skeleton.h"
 #include "text_file.h"
@@ -13,10 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The number for LOT in the stand-ins while a task is tried. Where a check of it may say what was
+// The number for NONCE in the stubs while a task is tried. Where a check of it may say what was
 // found (is_same_alone), none depends on that number, and it is not the seed's: however an answer
-// calls or reads a stand-in, the report does not tell the number.
-static uint32_t lot_of(const Session *session, const Task *task)
+// calls or reads a stub, the report does not tell the number.
+static uint32_t nonce_of(const Session *session, const Task *task)
 {
     for (int i = 0; i < session->judge.n_checks; i++) {
         const Check *check = &session->judge.checks[i];
@@ -24,15 +24,15 @@ static uint32_t lot_of(const Session *session, const Task *task)
             return 0;
         }
     }
-    return stand_in_lot(session->settings->seed);
+    return stub_nonce(session->settings->seed);
 }
 
-// What stands in the hole of a task that is not tried: its stand-in, or what is handed out. NULL
+// What stands in the hole of a task that is not tried: its stub, or what is handed out. NULL
 // after one message.
-static char *other_body(const Manifest *manifest, const Task *task, uint32_t lot)
+static char *other_body(const Manifest *manifest, const Task *task, uint32_t nonce)
 {
-    char *stand_in = stand_in_read(manifest, task, lot);
-    return stand_in != NULL ? stand_in : placeholder_read(manifest, task);
+    char *stub = stub_read(manifest, task, nonce);
+    return stub != NULL ? stub : placeholder_read(manifest, task);
 }
 
 // Fill a hole. Takes `text` over, also where there is no such hole. Returns the text, or NULL.
@@ -52,7 +52,7 @@ static char *holes_settle(const Session *session, const char *file, const Task *
     for (int t = 0; t < manifest->n_tasks; t++) {
         const Task *other = &manifest->tasks[t];
         if (other != task && strcmp(other->file, file) == 0) {
-            char *body = other_body(manifest, other, lot_of(session, task));
+            char *body = other_body(manifest, other, nonce_of(session, task));
             text = settle(text, other, body);
             free(body);
         }
@@ -95,7 +95,7 @@ int alone_fill(Session *session, const char *name, const Task *task, const char 
 {
     const Manifest *manifest = &session->manifest;
     char job[PATH_MAX];
-    int result = variant_open(&session->workshop, name, variant);
+    int result = variant_open(&session->workdir, name, variant);
     variant->alone = task->id;
     variant_job_path(variant, job);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {

@@ -4,8 +4,8 @@
 // tasks' answers taken out; or those that are handed out, with this answer in its hole. Beside a
 // kernel the host files are those that are handed out in either case, as the student's could draw
 // for it. Nothing of our solution is where a student's code runs. What the answer needs of other
-// tasks is done by stand-ins, which do something else than is asked of students and which the judge
-// can foresee (tests/stand_ins/). What comes out of such a run: tests/attacks/README.md.
+// tasks is done by stubs, which do something else than is asked of students and which the judge
+// can foresee (tests/stubs/). What comes out of such a run: tests/attacks/README.md.
 #ifndef GRADER_ALONE_H
 #define GRADER_ALONE_H
 

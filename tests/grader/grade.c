@@ -39,7 +39,7 @@ static void start_result(Grading *grading, const Settings *settings)
     result->lab = grading->session.manifest.lab;
     result->title = grading->session.manifest.title;
     result->seed = settings->seed;
-    result->sandbox = sandbox_kind_name(grading->session.workshop.sandbox);
+    result->sandbox = sandbox_kind_name(grading->session.workdir.sandbox);
     result->submission = shown_submission(settings);
     grading_list_checks(grading);
     if (grading->session.manifest.changed != NULL) {
@@ -187,7 +187,7 @@ static void run_race(Grading *grading)
 static int find_device(const Session *session)
 {
     const int is_asked = !session->has_solution && manifest_has_kernels(&session->manifest);
-    return is_asked ? device_find(&session->workshop) : 0;
+    return is_asked ? device_find(&session->workdir) : 0;
 }
 
 // Run our solution, where there is one, and beside it the submission, where there is one. What is

@@ -16,7 +16,7 @@ static void add_notes(Grading *grading, const char *submission, const char *fold
         result_add_stage(&grading->result, "What stands out", CHECK_PASSED, notes);
         free(notes);
     }
-    const char *sandbox = sandbox_kind_note(grading->session.workshop.sandbox);
+    const char *sandbox = sandbox_kind_note(grading->session.workdir.sandbox);
     if (sandbox != NULL) {
         result_add_stage(&grading->result, "Sandbox", CHECK_PASSED, sandbox);
     }
@@ -25,7 +25,7 @@ static void add_notes(Grading *grading, const char *submission, const char *fold
 void grading_own_path(const Grading *grading, const char *file, char path[PATH_MAX])
 {
     // That of the whole, also where something else has run in its place.
-    path_make(path, "%s/variant-whole/lab%s%s", grading->session.workshop.folder,
+    path_make(path, "%s/variant-whole/lab%s%s", grading->session.workdir.folder,
               file[0] != '\0' ? "/" : "", file);
 }
 

@@ -63,7 +63,7 @@ static char *answers_text(const Manifest *manifest, const char *file, const char
 static int answers_fill(Grading *grading, const char *name, int seals, Variant *variant)
 {
     const Manifest *manifest = &grading->session.manifest;
-    int result = variant_open(&grading->session.workshop, name, variant);
+    int result = variant_open(&grading->session.workdir, name, variant);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         char path[PATH_MAX];
         grading_own_path(grading, manifest->files[i], path);

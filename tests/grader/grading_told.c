@@ -1,6 +1,6 @@
 // Saying what came of an answer that was tried alone (see grading.h).
 //
-// Called by grading_alone.c. What a run alone found stays inside where stand-ins have a part in it.
+// Called by grading_alone.c. What a run alone found stays inside where stubs have a part in it.
 #include "blame.h"
 #include "grading.h"
 #include "message.h"
@@ -10,7 +10,7 @@
 #include <string.h>
 
 // Does the answer name another task, or make names by # or ##, in a macro of its own? Then a
-// stand-in may have had a part in what was found alone.
+// stub may have had a part in what was found alone.
 static int names_others(const Grading *grading, int t)
 {
     char *answer = grading_answer(grading, &grading->session.manifest.tasks[t]);
@@ -49,7 +49,7 @@ static char *found_and(const CheckResult *check, char *alone)
 }
 
 // Say what was found. Only where the check is judged alone as in the whole, on the same inputs and
-// by the lab's rules, and where the answer calls no other task's function: what stand-ins do has no
+// by the lab's rules, and where the answer calls no other task's function: what stubs do has no
 // part in what is said. Returns whether there was anything to say.
 static int tell_found(Grading *grading, int t, int i)
 {
@@ -74,7 +74,7 @@ static int tell_found(Grading *grading, int t, int i)
     return is_told;
 }
 
-// Say by which known mistake it fails, where stand-ins have a part in that: what was found would
+// Say by which known mistake it fails, where stubs have a part in that: what was found would
 // show what they do, a sentence of ours does not. The facts stay those of the whole. Returns
 // whether there was anything to say.
 static int tell_cause(Grading *grading, int t, int i)
@@ -99,7 +99,7 @@ static int tell_cause(Grading *grading, int t, int i)
 
 // Say that its answer does not come to its end, which is its own mistake whatever else is wrong.
 // How it ended is said only as far as a run cannot choose among many ways: by an exit status it
-// could tell what stand-ins hold.
+// could tell what stubs hold.
 static void tell_end(CheckResult *check, const Variant *alone)
 {
     const char *end = alone->is_endless    ? alone->trouble

@@ -44,7 +44,7 @@ static char *solution_text(const Session *session, const char *name, const HoleA
 int session_fill(const Session *session, const char *name, const HoleAnswer answers[], int n,
                  Variant *variant)
 {
-    int result = variant_open(&session->workshop, name, variant);
+    int result = variant_open(&session->workdir, name, variant);
     variant->task = n == 1 ? answers[0].task->id : NULL;
     for (int i = 0; result == 0 && i < session->manifest.n_files; i++) {
         const char *file = session->manifest.files[i];
@@ -59,7 +59,7 @@ static int open_handed_out(const Session *session, const char *name, int has_ker
                            Variant *variant)
 {
     const Manifest *manifest = &session->manifest;
-    int result = variant_open(&session->workshop, name, variant);
+    int result = variant_open(&session->workdir, name, variant);
     for (int i = 0; result == 0 && i < manifest->n_files; i++) {
         if (has_kernels || manifest_is_host_file(manifest->files[i])) {
             result = variant_put(variant, manifest->files[i],
@@ -107,11 +107,11 @@ int session_write_job(JudgeProcess *judge, const char *task, const char *path)
     return 0;
 }
 
-// Write a judge's job as the workshop's job of this number. Returns 0, or -1 after one message.
+// Write a judge's job as the workdir's job of this number. Returns 0, or -1 after one message.
 static int write_job(const Session *session, JudgeProcess *judge, int job)
 {
     char path[PATH_MAX];
-    workshop_job_path(&session->workshop, job, path);
+    workdir_job_path(&session->workdir, job, path);
     return session_write_job(judge, NULL, path);
 }
 
@@ -129,8 +129,8 @@ int session_open(Session *session, const Settings *settings)
         sandbox_choose(settings->sandbox, &sandbox) != 0 ||
         // In a handout all is the student's own.
         (sandbox_is_open(sandbox) && session->has_solution && secrets_check(settings) != 0) ||
-        workshop_open(&session->workshop, &session->manifest, settings->build, settings->device,
-                      sandbox) != 0 ||
+        workdir_open(&session->workdir, &session->manifest, settings->build, settings->device,
+                     sandbox) != 0 ||
         judge_start(&session->judge, settings->build, &session->manifest, settings->seed) != 0 ||
         write_job(session, &session->judge, 0) != 0) {
         return -1;
@@ -156,7 +156,7 @@ int session_add_seeds(Session *session, int n)
             write_job(session, &session->further[k], 1 + k) != 0) {
             return -1;
         }
-        session->workshop.n_further_jobs = 1 + k;
+        session->workdir.n_further_jobs = 1 + k;
     }
     return 0;
 }
@@ -165,10 +165,10 @@ void session_close(Session *session)
 {
     variant_free(&session->solution);
     judge_stop(&session->judge);
-    for (int k = 0; k < session->workshop.n_further_jobs; k++) {
+    for (int k = 0; k < session->workdir.n_further_jobs; k++) {
         judge_stop(&session->further[k]);
     }
-    workshop_close(&session->workshop);
+    workdir_close(&session->workdir);
     manifest_free(&session->manifest);
 }
 
@@ -181,7 +181,7 @@ static int is_first_known(const Session *session, Variant *const variants[], int
 int session_compile(Session *session, Variant *const variants[], int n)
 {
     const int known = is_first_known(session, variants, n);
-    return variants_compile(&session->workshop, variants + known, n - known, &session->allowance);
+    return variants_compile(&session->workdir, variants + known, n - known, &session->allowance);
 }
 
 int session_run(Session *session, Variant *const variants[], int n)
@@ -191,7 +191,7 @@ int session_run(Session *session, Variant *const variants[], int n)
     session->allowance.spent += session->judge.lost_seconds;
     session->judge.lost_seconds = 0;
     const int result =
-        variants_run(&session->workshop, variants + known, n - known, &session->allowance);
+        variants_run(&session->workdir, variants + known, n - known, &session->allowance);
     for (int i = known; i < n; i++) {
         if (variants[i]->trouble != NULL && variants[i]->place.where[0] == '\0') {
             variants[i]->place = judge_place(&session->judge, &variants[i]->note);
@@ -263,7 +263,7 @@ int session_trust_solution(Session *session)
                 solution->build_log ? solution->build_log : solution->run_output);
         return -1;
     }
-    for (int k = 0; k <= session->workshop.n_further_jobs; k++) {
+    for (int k = 0; k <= session->workdir.n_further_jobs; k++) {
         if (trust_answers(judge_of_job(session, k), answers_to(solution, k)) != 0) {
             return -1;
         }
@@ -288,12 +288,12 @@ void session_device_name(const Session *session, const Variant *variant, char *n
 
 char *session_find_line(Session *session, const Variant *variant, const char **task)
 {
-    return variant_find_line(&session->workshop, variant, &session->allowance, task);
+    return variant_find_line(&session->workdir, variant, &session->allowance, task);
 }
 
 double session_race(Session *session, const Variant *variant)
 {
-    return variant_race(&session->workshop, variant, &session->allowance);
+    return variant_race(&session->workdir, variant, &session->allowance);
 }
 
 // Did a submission end in the function of another task? Then nothing is known about this one.

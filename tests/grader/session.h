@@ -15,16 +15,16 @@
 typedef struct Session {
     const Settings *settings;
     JudgeProcess judge;
-    JudgeProcess further[MAX_FURTHER_JOBS];  // of the seeds that follow; workshop.n_further_jobs
+    JudgeProcess further[MAX_FURTHER_JOBS];  // of the seeds that follow; workdir.n_further_jobs
     Manifest manifest;
-    Workshop workshop;
+    Workdir workdir;
     int has_solution;      // 0 in a handout: the oracle alone judges
     Variant solution;      // or where there is none, the lab's files as they are handed out
     int has_kept_answers;  // they were kept (kept_answers.h): the solution is not run again
     Allowance allowance;   // how long what is handed in may take
 } Session;
 
-// Prepare everything up to the point where variants can run: manifest, workshop, job, and the
+// Prepare everything up to the point where variants can run: manifest, workdir, job, and the
 // solution, where there is one, as a variant that has not run yet. With settings->kept_answers the
 // solution's answers are taken from there, or kept there once they are trusted. The settings must
 // outlive the session. Returns 0, or -1 after one message on stderr.

@@ -48,11 +48,11 @@ int session_stage(const Session *session, const char *submission, Variant *varia
     const Manifest *manifest = &session->manifest;
     char lab[PATH_MAX];
     *staged = (StagedFiles){0};
-    if (variant_open(&session->workshop, "whole", variant) != 0) {
+    if (variant_open(&session->workdir, "whole", variant) != 0) {
         return -1;
     }
     path_make(lab, "%s/lab", variant->folder);
-    const int outcome = submission_stage(&session->workshop, submission, lab, &staged->said);
+    const int outcome = submission_stage(&session->workdir, submission, lab, &staged->said);
     staged->is_complete = outcome == 0;
     if (staged->said == NULL) {
         staged->said = message_new("%s", "");

@@ -77,10 +77,10 @@ find "$root" -name '*.md' -exec sed -i -e '/^\*\*In the lecture\*\*/,+1d' -e '/^
 grep -oh '](\.\./\.\./slides-notes/figures/[^)]*)' "$root"/*/*/*.md | sed 's|](\.\./\.\./||; s|)$||' | sort -u | copy
 git ls-files -- tests/scenes | copy
 
-# The grader and the learner's desk, which judges natively first; of the probes and stand-ins this lab's; and the
+# The grader and the learner's desk, which judges natively first; of the probes and stubs this lab's; and the
 # lab's files as they are handed out, whatever becomes of them in labs/.
 git ls-files -- tests/grader tests/desk tests/native ":(glob)tests/probes/*.[ch]" tests/probes/no_macros.sh "tests/probes/*/jobs_*.h" \
-    "tests/probes/$lab" "tests/stand_ins/$lab" | sort -u | copy
+    "tests/probes/$lab" "tests/stubs/$lab" | sort -u | copy
 # memcheck, which runs kernels natively, too; its known faults stay here.
 git ls-files -- ":(glob)tests/memcheck/*.[ch]" tests/memcheck/memcheck.mk | copy
 mkdir -p "$root/tests/skeletons/$lab"

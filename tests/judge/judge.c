@@ -3,7 +3,7 @@
 #include "judge.h"
 
 #include "complain.h"
-#include "lot.h"
+#include "nonce.h"
 #include "number.h"
 #include "one_way.h"
 #include "picture_looks.h"
@@ -87,7 +87,7 @@ Job *job_new(const Judge *judge, uint64_t seed, FILE *file)
         return NULL;
     }
     job->judge = judge;
-    job->lot = stand_in_lot(seed);
+    job->nonce = stub_nonce(seed);
     int result = judge->roll(job, &random);
     if (result == 0) {
         result = write_parts(job, NULL, file);

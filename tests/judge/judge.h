@@ -54,9 +54,9 @@ typedef struct JudgeCheck {
     Range alone_range;                   // of scenes; that of the whole where none is set
     const Function *alone_functions[2];  // in the place of whole scenes, which need other tasks
     const Replay *replay;
-    // Where stand-ins have a part in it: the known mistake that explains what one answer did alone,
+    // Where stubs have a part in it: the known mistake that explains what one answer did alone,
     // if it is certain; of scenes what they look like. Of functions (alone_functions) it is one of
-    // theirs; of the check's own function, where that goes by stand-ins while the job is_alone, too
+    // theirs; of the check's own function, where that goes by stubs while the job is_alone, too
     // (judge_function_alone).
     Cause (*alone_cause)(const void *job, const struct JudgeCheck *check, const Sections *answers);
 } JudgeCheck;
@@ -147,9 +147,9 @@ const Judge *judge_of(const char *lab);
 // What each lab's own job begins with.
 typedef struct Job {
     const Judge *judge;
-    Growth growth;  // labs 02 and 06: the right trees of the scenes, for replays
-    uint32_t lot;   // of the stand-ins: lot.h
-    int is_alone;   // the answers are those of one task, beside stand-ins: see alone_cause
+    Growth growth;   // labs 02 and 06: the right trees of the scenes, for replays
+    uint32_t nonce;  // of the stubs: nonce.h
+    int is_alone;    // the answers are those of one task, beside stubs: see alone_cause
 } Job;
 
 // Scene number k, and its picture, which is answered by "picture.K".
@@ -171,7 +171,7 @@ Verdict job_judge(const Job *job, int check, const Sections *answers);
 int job_passes_alone(const Job *job, int check, const Sections *answers);
 
 // Which known mistake explains why check number `check` fails by that: a diagnosis without facts.
-// NOTHING_WRONG where none is known, and where stand-ins have no part in it: then job_judge() says
+// NOTHING_WRONG where none is known, and where stubs have no part in it: then job_judge() says
 // it.
 Diagnosis job_alone_cause(Job *job, int check, const Sections *answers);
 

@@ -7,7 +7,7 @@ JUDGE_ROOMS := $(JUDGE) $(patsubst %/,%,$(wildcard $(JUDGE)/*/))
 BUILDERS := $(wildcard solutions/02-kdtree-2d-build/kdtree2d_build.c \
     solutions/04-camera-rays/camera_from_view.c solutions/06-kdtree-3d-build/kdtree3d_build.c)
 BUILDER_INCLUDES = $(addprefix -I ,$(sort $(dir $(BUILDERS))))
-AUTHORS_INCLUDES += $(addprefix -I ,$(JUDGE_ROOMS) tests/stand_ins) $(BUILDER_INCLUDES)
+AUTHORS_INCLUDES += $(addprefix -I ,$(JUDGE_ROOMS) tests/stubs) $(BUILDER_INCLUDES)
 $(OUT)/obj/$(JUDGE)/%.o: EXTRA = $(GRADER_INCLUDES)
 # Every ray asks every sphere, in nearly every test of a judge.
 $(OUT)/obj/$(JUDGE)/oracles/%.o: OPTIMISATION = -O3 -g -fno-math-errno

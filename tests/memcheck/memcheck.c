@@ -17,7 +17,7 @@
 #include "source_words.h"
 #include "text_file.h"
 #include "untouched.h"
-#include "workshop_files.h"
+#include "workdir_files.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -52,7 +52,7 @@ static int job_make(const char *from, const char *to, int (*write)(const Section
 static int jobs_make(const Session *session)
 {
     char path[PATH_MAX], small[PATH_MAX];
-    workshop_job_path(&session->workshop, 0, path);
+    workdir_job_path(&session->workdir, 0, path);
     path_make(small, "%s" MEMCHECK_SMALL_JOB, path);
     return job_make(path, path, memcheck_job_write) != 0 ||
                    job_make(path, small, memcheck_job_write_small) != 0
@@ -65,13 +65,13 @@ static int libraries_copy(const Session *session)
 {
     static const char *const sanitizers[] = {"address", "memory"};
     char from[PATH_MAX], to[PATH_MAX];
-    path_make(to, "%s/lib/kernels.h", session->workshop.tree);
+    path_make(to, "%s/lib/kernels.h", session->workdir.tree);
     int result = copy_file("tests/native/kernels.h", to);
-    path_make(to, "%s/lib/checked.h", session->workshop.tree);
+    path_make(to, "%s/lib/checked.h", session->workdir.tree);
     result |= copy_file("tests/memcheck/checked.h", to);
     for (int i = 0; i < 2; i++) {
-        path_make(from, "%s/memcheck/%s.so", session->workshop.build, sanitizers[i]);
-        path_make(to, "%s/lib/memcheck-%s.so", session->workshop.tree, sanitizers[i]);
+        path_make(from, "%s/memcheck/%s.so", session->workdir.build, sanitizers[i]);
+        path_make(to, "%s/lib/memcheck-%s.so", session->workdir.tree, sanitizers[i]);
         result |= copy_file(from, to);
     }
     return result;
@@ -185,7 +185,7 @@ static int memcheck_run(Memcheck *memcheck, const Settings *settings)
     }
     // The messages of a compiler that students know.
     Variant *variants[] = {&memcheck->whole};
-    if (session->workshop.needs_compiler && session_compile(session, variants, 1) != 0) {
+    if (session->workdir.needs_compiler && session_compile(session, variants, 1) != 0) {
         return EXIT_FAULT;
     }
     if (memcheck->whole.build_log != NULL) {

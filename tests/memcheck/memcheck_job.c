@@ -74,7 +74,7 @@ static const struct {
 };
 
 // Does a leaf of scene k name the sphere behind the last? That is one of the scene's then.
-static int is_stranger_named(const Sections *judges, int k)
+static int is_decoy_named(const Sections *judges, int k)
 {
     char name[SECTION_NAME_BYTES];
     size_t n_bytes = 0;
@@ -98,7 +98,7 @@ static size_t bytes_behind(const Sections *judges, const char *name)
         return 0;
     }
     for (size_t i = 0; i < COUNT(longer); i++) {
-        if (strcmp(name + n_read, longer[i].part) == 0 && !is_stranger_named(judges, k)) {
+        if (strcmp(name + n_read, longer[i].part) == 0 && !is_decoy_named(judges, k)) {
             return longer[i].entry_bytes;
         }
     }

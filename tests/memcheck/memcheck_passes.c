@@ -111,7 +111,7 @@ static int folder_new(const char *path)
 // Start a pass. NULL after one message.
 static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, SandboxTime time)
 {
-    const Workshop *workshop = &memcheck->session.workshop;
+    const Workdir *workdir = &memcheck->session.workdir;
     const Manifest *manifest = &memcheck->session.manifest;
     char lab[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX], inside[PATH_MAX],
         variable[64];
@@ -121,7 +121,7 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
     if (folder_new(build) != 0 || folder_new(out) != 0) {
         return NULL;
     }
-    path_make(job, "%s/job", workshop->folder);
+    path_make(job, "%s/job", workdir->folder);
     path_make(inside, "/work/labs/%s", manifest->lab);
     snprintf(variable, sizeof variable, PROBE_JOB_VARIABLE "=%s", pass->job);
     const char *environment[8] = {variable};
@@ -134,7 +134,7 @@ static SandboxRun *start_pass(const Memcheck *memcheck, const Pass *pass, Sandbo
             argv[n++] = manifest->files[i];
         }
     }
-    SandboxCommand command = workshop_command(workshop, argv, environment, time);
+    SandboxCommand command = workdir_command(workdir, argv, environment, time);
     const SandboxMount mounts[] = {
         {lab, inside, 0}, {build, "/work/build", 1}, {out, "/work/out", 1}, {job, "/work/job", 0}};
     memcpy(command.mounts + 1, mounts, sizeof mounts);

@@ -84,7 +84,7 @@ static char *judge_wrong(Session *session, const KnownAnswer *answer, const Vari
 {
     const int i = answer_check(session, answer);
     char *why = NULL;
-    for (int k = 0; why == NULL && k <= session->workshop.n_further_jobs; k++) {
+    for (int k = 0; why == NULL && k <= session->workdir.n_further_jobs; k++) {
         why = judge_wrong_in(session, k, i, answer, variant);
         why = why == NULL ? judge_never_in(session, k, answer, variant) : why;
     }
@@ -96,7 +96,7 @@ static char *judge_right(Session *session, const Variant *variant)
 {
     char *why = NULL;
     for (int i = 0; why == NULL && i < session->judge.n_checks; i++) {
-        for (int k = 0; why == NULL && k <= session->workshop.n_further_jobs; k++) {
+        for (int k = 0; why == NULL && k <= session->workdir.n_further_jobs; k++) {
             CheckResult result = judge_in(session, k, i, variant);
             if (result.status != CHECK_PASSED) {
                 why = message_new("%s, seed %" PRIu64 ": %s", session->judge.checks[i].id,
@@ -127,7 +127,7 @@ static unsigned mistakes_named_in(Session *session, int k, const KnownAnswer *an
 static unsigned mistakes_named(Session *session, const KnownAnswer *answer, const Variant *variant)
 {
     unsigned named = mistakes_named_in(session, 0, answer, variant);
-    for (int k = 1; k <= session->workshop.n_further_jobs; k++) {
+    for (int k = 1; k <= session->workdir.n_further_jobs; k++) {
         named |= mistakes_named_in(session, k, answer, variant) & ~answer->mistakes;
     }
     return named;

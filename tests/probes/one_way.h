@@ -6,14 +6,14 @@
 // another.
 //
 // The step is SipHash-2-4 (Aumasson, Bernstein 2012) of the purpose, with the seed as the key. It
-// is written out because a handout does without nettle. Used by lot.h, and by the judge for its
+// is written out because a handout does without nettle. Used at random.h, and by the judge for its
 // jobs.
 #ifndef PROBES_ONE_WAY_H
 #define PROBES_ONE_WAY_H
 
 #include <stdint.h>
 
-typedef enum Purpose { PURPOSE_INPUTS = 1, PURPOSE_LOT = 2 } Purpose;
+typedef enum Purpose { PURPOSE_INPUTS = 1, PURPOSE_NONCE = 2 } Purpose;
 
 static inline uint64_t sip_rotate(uint64_t word, int n)
 {

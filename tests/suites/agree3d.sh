@@ -9,19 +9,19 @@ set -u
 
 # ---- Other trees, and tiles --------------------------------------------------------------------
 
-for scene in $(heart "stadium none" stadium clusters one-cell inside planes none); do
+for scene in $(quick "stadium none" stadium clusters one-cell inside planes none); do
     works run 07 --scene "$scene" --size 96x64 --output "$out/07.exr"
     works run 08 --scene "$scene" --size 96x64 --output "$out/08.exr"
     check "lab 08 draws what lab 07 draws: $scene" compare "$out/08.exr" "$out/07.exr"
 done
 # In lab 10's picture a colour is a byte, half a step of which may be off; and sides are no multiples of a tile's.
-for scene in $(heart sphereflake:size=3 sphereflake:size=3 random:n=2000 inside planes behind one-cell none); do
+for scene in $(quick sphereflake:size=3 sphereflake:size=3 random:n=2000 inside planes behind one-cell none); do
     works run 07 --scene "$scene" --size 99x67 --output "$out/07.exr"
     works run 10 --scene "$scene" --size 99x67 --output "$out/10.exr"
     check "lab 10 draws what lab 07 draws: $scene" compare "$out/10.exr" "$out/07.exr" 0.0021 3
 done
 # Circles: centres and radii are on the grid of 1/16 px, so that colours differ by the byte's rounding only.
-for scene in $(heart "random none" random random:n=400,min=10,max=60 example equal-depths borders touching huge tiny outside none); do
+for scene in $(quick "random none" random random:n=400,min=10,max=60 example equal-depths borders touching huge tiny outside none); do
     works run 03 --scene "$scene" --size 99x67 --output "$out/03.exr"
     works run 10 --circles --scene "$scene" --size 99x67 --output "$out/10.exr"
     check "lab 10 draws what lab 03 draws: $scene" compare "$out/10.exr" "$out/03.exr" 0.00197
@@ -39,7 +39,7 @@ END
 works run 03 --scene "$scenes/off-grid.csv" --size 16x16 --output "$out/03.png"
 works run 10 --circles --scene "$scenes/off-grid.csv" --size 16x16 --output "$out/10.png"
 check "lab 10 leaves no hole off the grid" compare "$out/10.png" "$out/03.png"
-heart_ends
+quick_ends
 
 works run 03 --size 99x67 --output "$out/03.exr"
 for limits in 1/1 3/2 64/100; do

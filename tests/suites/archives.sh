@@ -103,7 +103,7 @@ graded "the content counts, not the name" earns 100 "$PWD/named.zip"
 chmod 600 folder.zip
 graded "an archive that only the instructor may read is read" earns 100 "$PWD/folder.zip"
 
-heart_ends
+quick_ends
 
 # ---- Shapes -------------------------------------------------------------------------------------
 

@@ -30,7 +30,7 @@ walls='
 '
 
 # What `make test` tries in each sandbox: files, the network, processes without number, one that stays.
-heart='read-reference.c network.c fork-bomb.c survivor.c'
+quick='read-reference.c network.c fork-bomb.c survivor.c'
 
 # Whoever the grader runs as may enter: what is unreadable shall be so because of the sandbox, but for
 # where the sandbox goes by the rights of files.
@@ -97,9 +97,9 @@ chosen() {
         printf '%s\n' "$@"
         return
     fi
-    [ -z "${HEART:-}" ] || {
+    [ -z "${QUICK:-}" ] || {
         # shellcheck disable=SC2086 # words
-        printf 'tests/attacks/02-kdtree-2d-build/%s\n' $heart
+        printf 'tests/attacks/02-kdtree-2d-build/%s\n' $quick
         return
     }
     turn=landlock
@@ -130,7 +130,7 @@ list_work() {
         echo "$sandbox $attack"
         [ $((number % 6)) -ne 0 ] || echo "$sandbox 02-kdtree-2d-build beside-$number"
     done
-    for lab in $(heart 03-kdtree-2d-render 00-hello-pixels 03-kdtree-2d-render); do
+    for lab in $(quick 03-kdtree-2d-render 00-hello-pixels 03-kdtree-2d-render); do
         echo "$sandbox $lab afterwards"
     done
 }

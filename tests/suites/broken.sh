@@ -24,7 +24,7 @@ broken "a host file that does not compile costs its task" 80
 check "and the message names file and line" holds "$(place render.c 'not C at all')"
 check "and the stage is Compiling" stage Compiling failed render.c
 
-heart_ends
+quick_ends
 
 copy_lab solutions $lab
 echo '    fputs("LLVM ERROR: as a driver says it", stderr), abort();' | answer render.c set_arguments
@@ -308,7 +308,7 @@ check "and the report says what does not compile" stage Compiling failed "What s
 # A student works in labs/ itself: what stands there is no skeleton.
 course=$scratch/at-work
 mkdir "$course" "$course/tests"
-for part in common kernels solutions tests/probes tests/stand_ins; do ln -s "$PWD/$part" "$course/$part"; done
+for part in common kernels solutions tests/probes tests/stubs; do ln -s "$PWD/$part" "$course/$part"; done
 cp -R labs "$course/labs"
 lab=02-kdtree-2d-build
 copy_lab labs $lab

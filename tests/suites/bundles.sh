@@ -19,7 +19,7 @@ mkdir "$scratch/copy"
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)
 export SOURCE_DATE_EPOCH
 bundles=$scratch/first/systems
-for bundle in gradescope-00.zip github-00.zip gitlab-00.zip vpl-00.zip $(heart "" autolab-00.tar autolab-00-image.tar prairielearn-00.zip autolab-07.tar); do
+for bundle in gradescope-00.zip github-00.zip gitlab-00.zip vpl-00.zip $(quick "" autolab-00.tar autolab-00-image.tar prairielearn-00.zip autolab-07.tar); do
     system=${bundle%%-*} number=${bundle#*-} number=${number%%[.-]*}
     check "$bundle" make -s "$system" LAB="${number#0}" BUILD="$scratch/first"
     (umask 077 && cd "$scratch/copy" && TZ=Asia/Tokyo LC_ALL=C.UTF-8 \
@@ -168,7 +168,7 @@ check "as much memory as there is" choose "Processes: $processors (*"
 echo "Max processes  40  40  processes" >"$scratch/limits"
 check "few processes" choose "Processes: 1 (*"
 
-heart_ends
+quick_ends
 
 # ---- Each bundle, as its system would run it ----------------------------------------------------
 

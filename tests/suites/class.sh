@@ -143,7 +143,7 @@ echo >>"$looked/submissions/ada/z.c"
 check "and a change of an answer is seen" test "$(content)" != "$content_before"
 rm -r "$looked"
 
-heart_ends
+quick_ends
 
 # ---- Uninterrupted ------------------------------------------------------------------------------
 
@@ -341,7 +341,7 @@ check "and right ones get full marks" row "$scratch/hostile-class" '"ada","",1,"
 
 # A grader that fails for some: by itself, by a signal, by never ending; and for one only at first.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$(echo "$first"/students/rf-*)" "SCRATCH='$scratch'"'
+stub "$(echo "$first"/students/rf-*)" "SCRATCH='$scratch'"'
 # meet: wait for the other one, and see whether what was laid down is still there.
 meet() {
     : >"$TMPDIR/mine"
@@ -387,7 +387,7 @@ class=$scratch/faults
 course=$scratch/course
 mkdir -p "$course/tests"
 cp -R labs solutions common kernels "$course"
-cp -R tests/probes tests/stand_ins tests/class "$course/tests"
+cp -R tests/probes tests/stubs tests/class "$course/tests"
 regraded() {
     before=$(n_graded "$faults")
     (cd "$course" && run "$faults") || { cat "$scratch/said"; return 1; }
@@ -399,7 +399,7 @@ for program in "judges/$lab" tools/unpack tools/grade; do
     echo '# changed' >>"$fake/$program"
     check "another $program: all are graded again" regraded 2
 done
-for folder in labs solutions common kernels tests/probes tests/stand_ins; do
+for folder in labs solutions common kernels tests/probes tests/stubs; do
     : >"$course/$folder/changed"
     check "a change in $folder: all are graded again" regraded 2
 done

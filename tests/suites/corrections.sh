@@ -16,7 +16,7 @@ check "right results" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
 check "and wrong ones" exits 1 "$build/tools/grade" --build "$build" --lab 0 \
     --submission "$wrong" --output "$scratch/wrong"
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" "WRONG='$scratch/wrong'"'
+stub "$scratch/right" "WRONG='$scratch/wrong'"'
 case $student in
 Bob*) cp -R "$WRONG/." "$output"; exit 1 ;;
 Dora*) exit 2 ;;
@@ -189,7 +189,7 @@ rmdir "$class/Dora Roe_25_assignsubmission_file_"
 changes "23,gradient,+5,\"right idea, =1+1\"," 24,,,ill,2026-12-24
 check "without it" exits 0 corrected
 
-heart_ends
+quick_ends
 
 # ---- Given back ----------------------------------------------------------------------------------
 

@@ -98,11 +98,11 @@ check "without a driver first" last "   judged in "
 check "and PoCL says the same" last "   PoCL says the same"
 check "what was gained is told" last "+15  leaf-random"
 check "the page shows it" grep -q '100 <small>of 100' build/watch/index.html
-heart_done=$(rounds)
+quick_done=$(rounds)
 touch "$file"
 as_solved
 saved with_a_typo
-check "the same bytes again are no save" [ "$(rounds)" -eq $((heart_done + 1)) ]
+check "the same bytes again are no save" [ "$(rounds)" -eq $((quick_done + 1)) ]
 check "what does not compile is named at once" last "does not compile"
 check "at the student's line" last "error: use of undeclared identifier 'offset'"
 check "and on the page" grep -q "undeclared identifier" build/watch/index.html
@@ -139,7 +139,7 @@ ok $? "Ctrl-C ends it" "$(tail -n 5 "$log")"
 nothing_is_left() { [ -z "$(ls -A "$TMPDIR")" ] && ! pgrep -f "$course" >/dev/null; }
 await nothing_is_left
 ok $? "and nothing of it is left" "$(ls -A "$TMPDIR")"
-heart_ends
+quick_ends
 
 # ---- Two judges, and two saves ------------------------------------------------------------------------
 

@@ -110,7 +110,7 @@ instead dpkg-query '[ "$4" != libcsv-dev ] && echo installed'
 doctor --
 check "a package is missing" finds packages 'missing: libcsv-dev' 'make setup'
 
-heart_ends
+quick_ends
 
 for tool in apt-get dpkg-query dnf pacman; do rm -f "$scratch/bin/$tool"; done
 rm "$scratch/bin/pkg-config"

@@ -249,7 +249,7 @@ for text in README.md solutions/*/*.md slides-notes/notes-*.md $(find common -na
     ok $? "$text: its ratios are those of $times" "$found"
 done
 
-heart_ends
+quick_ends
 
 # ---- Figures ------------------------------------------------------------------------------------
 

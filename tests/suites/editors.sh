@@ -32,7 +32,7 @@ has_none() {
 course=$scratch/course
 mkdir "$course"
 cp -R .clangd compile_flags.txt common kernels labs solutions "$course"
-for folder in labs $(heart "" solutions common kernels); do
+for folder in labs $(quick "" solutions common kernels); do
     files=$(cd "$course" && find "$folder" -name '*.c' -o -name '*.h' -o -name '*.cl' | sort)
     # A header takes types from the file that includes it, and one is a list.
     files=$(echo "$files" | grep -v -x -e common/follow/steps/spheres.h -e common/setup/doctor_layouts.h)
@@ -74,14 +74,14 @@ check "tests/.clangd names each folder of tests/ with headers" unnamed tests/.cl
 ! unnamed .clangd solutions/77-new >/dev/null
 ok $? "and one that is missing is found"
 
-heart_ends
+quick_ends
 
 # What authors write: of each folder the first file in C and the first header. Not parts of answers, which are no
 # whole files, lists that others include, and what needs another compiler or a library that may be missing.
 for kind in c h; do
     # shellcheck disable=SC2046 # a list of names without blanks
     check "no fault in tests/: *.$kind" has_none . $(find tests -name "*.$kind" | sort |
-        grep -v -e '/\(stand_ins\|attacks\|native\|fuzz\)/' -e _known -e embree -e probe_stack -e test_builder_guard |
+        grep -v -e '/\(stubs\|attacks\|native\|fuzz\)/' -e _known -e embree -e probe_stack -e test_builder_guard |
         awk '{ folder = $0; sub(/[^\/]*$/, "", folder) } !seen[folder]++')
 done
 

@@ -11,7 +11,7 @@ check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$b
     --submission solutions/$lab --output "$scratch/right"
 # Beside them it is written down whose file was graded: each holds its student's number.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" 'echo "$student" >"$output/student"; echo " Score 100/100"
+stub "$scratch/right" 'echo "$student" >"$output/student"; echo " Score 100/100"
 cat "$submission/gradient.cl" >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
 
 # Number, first name, last name, login: two of one name, and letters that are not ASCII.
@@ -163,7 +163,7 @@ check "canvas: ILIAS would not know whose they are" \
 check "canvas: everybody gets the own report back, beside the number of a file" \
     given_back canvas feedback-canvas.zip '*_NUMBER_880[01]*_report.html'
 
-heart_ends
+quick_ends
 
 # Two uploads of one name lie side by side: which one counts is staging's to say (suite staging).
 class=$scratch/canvas-twice

@@ -37,7 +37,7 @@ for name in right wrong hostile missing; do
         grade_as $status $name $(kept 00) --submission "$scratch/$name"
 done
 
-heart_ends
+quick_ends
 
 # A lab with a leaderboard: who has every point has a figure, unless the own kernel never ends in the
 # race, which alone counts nothing. It costs no points. Skeletons of all labs: in the suite `grader`.

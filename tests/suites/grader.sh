@@ -29,7 +29,7 @@ some="02-kdtree-2d-build 03-kdtree-2d-render"
 
 # ---- Solutions and skeletons --------------------------------------------------------------------
 
-for lab in $(heart "$some" "$labs"); do
+for lab in $(quick "$some" "$labs"); do
     # shellcheck disable=SC2046 # options
     check "$lab: the solution gets full marks" grades 0 100 $(kept "$lab") --submission "solutions/$lab"
     check "$lab: every stage and check of it passes" test \
@@ -66,13 +66,13 @@ touched_placeholders() {
     ! diff -rq "labs/$1" "$scratch/touched" >/dev/null &&
         grades 1 0 $(kept "$1") --submission "$scratch/touched"
 }
-for lab in $(heart 02-kdtree-2d-build "$labs"); do
+for lab in $(quick 02-kdtree-2d-build "$labs"); do
     check "$lab: a touched placeholder earns nothing" touched_placeholders "$lab"
 done
 
 # ---- One task at a time -------------------------------------------------------------------------
 
-for lab in $(heart 02-kdtree-2d-build "$labs"); do
+for lab in $(quick 02-kdtree-2d-build "$labs"); do
     for source in "solutions/$lab"/*.c "solutions/$lab"/*.cl; do
         [ -f "$source" ] || continue
         for task in $("$holes" list "$source"); do
@@ -222,7 +222,7 @@ check "no bubblewrap: it says what to install" grep -q '^sandbox: bwrap not foun
 check "no bubblewrap: it says no more" test "$(wc -l <"$said.err")$(wc -c <"$said")" = 10
 check "no bubblewrap: there are no results" test ! -e "$reports"
 
-heart_ends
+quick_ends
 
 # ---- What does not come to its end -----------------------------------------------------------------
 
@@ -236,13 +236,13 @@ check "its input is told" grep -q "where: in next_waiting, input [0-9]* of 400: 
 check "and that nothing was there to be taken" grep -q "taken from an empty stack: nothing was waiting" "$said"
 ok "$(grep -c 'make memcheck' "$said")" "so memcheck need not tell" "$(cat "$said")"
 
-# Two more, of which the second one calls the first: beside a stand-in only its cause is said.
+# Two more, of which the second one calls the first: beside a stub only its cause is said.
 copy_lab solutions 03-kdtree-2d-render
 for answer in left-right-swapped sixteen-levels; do
     "$build/tools/known" put 03-kdtree-2d-render $answer "$scratch/submission"
 done
 # shellcheck disable=SC2046,SC2086 # options
-check "an answer beside a stand-in earns what it passes alone" grades 1 65 $(kept 03) $submission
+check "an answer beside a stub earns what it passes alone" grades 1 65 $(kept 03) $submission
 check "its mistake is named as by itself" \
     grep -q '; tested alone: it looks drawn as if the search ended after a fixed number' "$reports/results.json"
 

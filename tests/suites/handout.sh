@@ -14,7 +14,7 @@ if ! why=$(sh common/setup/checkout.sh); then
 fi
 
 # `make test` packs one lab.
-[ -z "${HEART:-}" ] || labs=02-kdtree-2d-build
+[ -z "${QUICK:-}" ] || labs=02-kdtree-2d-build
 
 # pack LAB FOLDER: says nothing.
 pack() {
@@ -61,7 +61,7 @@ only_its_files() {
     [ -z "$strays" ] || { echo "not tracked: $strays"; return 1; }
     strays=$(grep '^tests/' "$scratch/files" | grep -v -e '^tests/grader/' -e "^tests/probes/$2/" \
         -e '^tests/desk/' -e '^tests/probes/[^/]*\.[ch]$' -e '^tests/probes/no_macros.sh$' \
-        -e '^tests/probes/[^/]*/jobs_[0-9]*\.h$' -e "^tests/stand_ins/$2/" -e "^tests/skeletons/$2/" \
+        -e '^tests/probes/[^/]*/jobs_[0-9]*\.h$' -e "^tests/stubs/$2/" -e "^tests/skeletons/$2/" \
         -e '^tests/judge/judge.tar$' -e '^tests/judge/judge.mk$' -e '^tests/memcheck/[a-z_]*\.\([ch]\|mk\)$' \
         -e '^tests/native/' \
         -e '^tests/scenes/' -e '^tests/GRADING.md$' -e '^tests/bench/RESULTS.md$')
@@ -245,7 +245,7 @@ rm "$scratch/02-kdtree-2d-build/tests/grader/another.c"
 ok $? "another lab's number is refused"
 check "with one message" grep -qx 'handout: LAB: found "77", expected the number or name of a lab' "$scratch/said"
 
-heart_ends
+quick_ends
 
 # ---- On their own -------------------------------------------------------------------------------
 

@@ -120,7 +120,7 @@ check "is none" open "Finn Fox" \
 rm "$out/who.csv"
 worksheet "Tuesday, 24 November 2026, 8:15 AM"
 
-heart_ends
+quick_ends
 
 # ---- More time, and corrections -----------------------------------------------------------------------
 

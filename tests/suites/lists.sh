@@ -88,7 +88,7 @@ check "the only one without a number is it" choice 1 'Circles (17)' 'the column 
 check "10 is not 0, nor is Canvas' own number" choice 2 'Lab 10 (0),Lab 20 (1)' 'none has the number 0'
 check "by its title" choice 1 'Lab 1 (1),Lab 2 (2)' 'the column "Lab 2 (2)" filled in' --column 'Lab 2 (2)'
 check "by its title without Canvas' number" choice 1 'Lab 1 (1),Lab 2 (2)' 'the column "Lab 1 (1)" filled in' --column 'Lab 1'
-heart_ends
+quick_ends
 
 many=$(seq -s, -f 'Lab %.0f (1)' 100 249)
 check "a course of 150 assignments" choice 1 "$many,Lab 0 (7)" 'the column "Lab 0 (7)" filled in'

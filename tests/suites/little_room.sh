@@ -49,7 +49,7 @@ if [ "$status" -eq 2 ]; then
 fi
 ends_with 0 "a right submission in 160 MB"
 
-heart_ends
+quick_ends
 
 # ---- Archives ------------------------------------------------------------------------------------
 

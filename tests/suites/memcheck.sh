@@ -9,7 +9,7 @@ set -u
 build=${BUILD:-build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 memcheck=$build/tools/memcheck
-if [ -n "${HEART:-}" ] && [ ! -e "$build/memcheck/memory.so" ]; then
+if [ -n "${QUICK:-}" ] && [ ! -e "$build/memcheck/memory.so" ]; then
     skip "memcheck" "clang and its sanitizers are not installed: make test-all installs them"
     finish
     exit
@@ -49,10 +49,10 @@ finds() {
         grep -q -F "$(basename "$file"):$line: $(field says)" "$scratch/said"
 }
 
-for lab in $(heart 01-naive-2d "$(cd solutions && printf '%s\n' *)"); do
+for lab in $(quick 01-naive-2d "$(cd solutions && printf '%s\n' *)"); do
     check "$lab: the solution is clean" memchecks 0 "$lab" "solutions/$lab"
 done
-for fault in $(heart 01-one-circle-too-many "$(sed -n 's/^fault \([^:]*\):.*/\1/p' tests/memcheck/faults.txt)"); do
+for fault in $(quick 01-one-circle-too-many "$(sed -n 's/^fault \([^:]*\):.*/\1/p' tests/memcheck/faults.txt)"); do
     check "$fault: found at its line" finds "$fault"
 done
 
@@ -80,7 +80,7 @@ mkdir "$scratch/empty"
 check "where there is nothing to look at, that is said" memchecks 2 01 "$scratch/empty"
 check "for each file" grep -q "^overlaps_N_Nearer.cl: not in the submission" "$scratch/said"
 
-heart_ends
+quick_ends
 
 # Without clang, or without its sanitizers, make says which packages have them.
 mkdir "$scratch/bare"

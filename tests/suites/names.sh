@@ -57,7 +57,7 @@ for variable in SUBMISSION SEED DEVICE TIME_LIMIT; do
     both_ways "make grade" 0 $variable "$hostile" --old-file=graded grade BUILD="$fake" LAB=00
 done
 both_ways "make grade" 0 LAB "$hostile" --old-file=graded grade BUILD="$fake"
-heart_ends
+quick_ends
 
 for variable in SUBMISSION SEED TIME_LIMIT; do
     both_ways "make memcheck" 0 $variable "$hostile" --old-file=graded --old-file=memcheck-libraries --old-file="$fake/tools/memcheck" memcheck BUILD="$fake" LAB=00

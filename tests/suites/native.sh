@@ -1,14 +1,14 @@
 #!/bin/sh
 # Every known answer, compiled to native code and run without a device and a sandbox (tests/native): each
 # wrong one is caught by the check meant for it, with the right message; each right one earns all points.
-# In every lab or in LAB, with each of SEEDS seeds. The heart is all right ones and every tenth wrong one, and one for each
+# In every lab or in LAB, with each of SEEDS seeds. The quick part is all right ones and every tenth wrong one, and one for each
 # check and each kind of mistake. What PoCL and the sandboxes do is the suite mutants'.
 . tests/tap.sh
 
 build=${BUILD:-build}
 export build scratch
 export seeds="${SEEDS:-1}"
-every=$(heart 10 1)
+every=$(quick 10 1)
 export every
 
 # Processor time of a run, all its seeds together. Right answers take a twentieth; some wrong ones never end.

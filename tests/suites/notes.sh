@@ -11,11 +11,11 @@ if ! command -v pandoc >/dev/null || [ -z "$browser" ]; then
     exit
 fi
 
-# The heart: a page of each form.
-pages=$(heart "$notes/student/slides-notes/slides-2d.html $notes/instructor/slides-notes/notes-2d.html $notes/student/README.html" notes-html)
-# Wrong numbers are said when a page is made: in the heart each is made anew.
+# The quick part: a page of each form.
+pages=$(quick "$notes/student/slides-notes/slides-2d.html $notes/instructor/slides-notes/notes-2d.html $notes/student/README.html" notes-html)
+# Wrong numbers are said when a page is made: in the quick part each is made anew.
 # shellcheck disable=SC2086 # words
-[ -z "${HEART:-}" ] || rm -f $pages
+[ -z "${QUICK:-}" ] || rm -f $pages
 # shellcheck disable=SC2086 # words
 make --no-print-directory BUILD="$build" $pages >"$scratch/log" 2>&1
 ok $? "the pages are made" "$(cat "$scratch/log")"
@@ -23,9 +23,9 @@ numbers_are_counted() {
     ! grep " of .* is .*, the text says " "$scratch/log" >"$scratch/counts"
     ok $? "numbers in the texts are what the programs count" "$(cat "$scratch/counts")"
 }
-[ -z "${HEART:-}" ] || numbers_are_counted
+[ -z "${QUICK:-}" ] || numbers_are_counted
 
-heart_ends
+quick_ends
 
 # ---- In a browser --------------------------------------------------------------------------------
 

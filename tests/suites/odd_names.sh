@@ -11,7 +11,7 @@ check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$b
     --submission solutions/$lab --output "$scratch/right"
 # Beside them it is written down whose file was graded: each holds its student's number.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" 'cat "$submission"/gradient.cl "$submission/gradient (2).cl" "$submission"/*/gradient.cl "$submission"/*"- gradient.cl" 2>/dev/null | tail -n 1 >"$output/whose"
+stub "$scratch/right" 'cat "$submission"/gradient.cl "$submission/gradient (2).cl" "$submission"/*/gradient.cl "$submission"/*"- gradient.cl" 2>/dev/null | tail -n 1 >"$output/whose"
 [ -s "$output/whose" ] || cat "$submission" >"$output/whose"'
 
 # Number, first name, last name, login; the name that Canvas puts before its numbers, and ILIAS' folder. Both were
@@ -96,7 +96,7 @@ ilias() {
 class_of ilias '"Nachname";"Vorname";"Benutzername";"Matrikelnummer"' '"LAST";"FIRST";"LOGIN";"NUMBER"' ilias
 all_graded "25 of 25 graded and entered; 0 without submission; 0 passed over; 0 with nothing of this lab; 0 to be decided by you"
 
-heart_ends
+quick_ends
 
 # Logins as they are: of two, one is the end of the other's.
 blackboard() {

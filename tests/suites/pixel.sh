@@ -104,7 +104,7 @@ check "takes the steps of notes-3d" says '^   0  node 0: x = 0, t 1.5 to 3.333' 
     '^   4    sphere 0: missed$' '^   5  node 4: ' '^   6  leaf 9: ' '^   7    sphere 2: t 2$' '^   8  hit: sphere 2, t 2$' \
     'which asks all 8 spheres: hit: sphere 2, t 2$' '^they do the same in all 9 steps$'
 
-heart_ends
+quick_ends
 
 # ---- As JSON, and as a picture --------------------------------------------------------------------
 

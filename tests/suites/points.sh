@@ -92,7 +92,7 @@ check "which is the file's sum" said "Score 90/90"
 check "a seed of the command line counts before it" exits 0 grade solutions/$lab --manifest "$manifest" --seed 8
 check "and is told" test "$(value .seed)" = 8
 
-heart_ends
+quick_ends
 
 # ---- Hidden ---------------------------------------------------------------------------------------
 
@@ -174,7 +174,7 @@ check "a manifest that hides" exits 0 made
 # A handout has the manifest, and no solution.
 course=$scratch/at-home
 mkdir -p "$course/solutions" "$course/tests/skeletons/$lab"
-for part in Makefile common kernels slides-notes tests/probes tests/stand_ins solutions/0[0-2]*; do ln -s "$PWD/$part" "$course/$part"; done
+for part in Makefile common kernels slides-notes tests/probes tests/stubs solutions/0[0-2]*; do ln -s "$PWD/$part" "$course/$part"; done
 cp -R labs "$course/labs"
 cp "labs/$lab/implicit2DRenderer_KD.cl" "$course/tests/skeletons/$lab/"
 cp "$manifest" "$course/labs/$lab/lab.json"

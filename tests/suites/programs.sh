@@ -6,7 +6,7 @@
 set -u
 . tests/tap.sh
 . tests/programs.sh
-labs=$(heart '02-kdtree-2d-build 03-kdtree-2d-render' 00-hello-pixels 01-naive-2d 02-kdtree-2d-build 03-kdtree-2d-render)
+labs=$(quick '02-kdtree-2d-build 03-kdtree-2d-render' 00-hello-pixels 01-naive-2d 02-kdtree-2d-build 03-kdtree-2d-render)
 
 # ---- Good runs ----------------------------------------------------------------------------------
 
@@ -69,7 +69,7 @@ cp "$build/solutions/00-hello-pixels" "$scratch/elsewhere/00"
 check "a picture without the library for pictures" fails_without_codec
 check "what needs no picture needs no library for it" works "$scratch/elsewhere/00" --help
 
-heart_ends
+quick_ends
 
 # ---- Devices ------------------------------------------------------------------------------------
 

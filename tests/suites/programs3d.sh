@@ -6,7 +6,7 @@
 set -u
 . tests/tap.sh
 . tests/programs.sh
-labs=$(heart '07-kdtree-3d-trace 10-realtime' 04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace \
+labs=$(quick '07-kdtree-3d-trace 10-realtime' 04-camera-rays 05-spheres 06-kdtree-3d-build 07-kdtree-3d-trace \
     08-surface-area-heuristic 09-shadows-and-mirrors 10-realtime)
 
 # ---- Good runs ----------------------------------------------------------------------------------
@@ -30,7 +30,7 @@ done
 ! $is_sanitized || check "lab 06 leaks nothing" \
     works run_sanitized 06 --output "$out/one.exr" --scene random:n=500
 
-heart_ends
+quick_ends
 
 for scene in tests/scenes/*.nff tests/scenes/*.pdb tests/scenes/*.xyz; do
     check "lab 07 draws ${scene##*/}" works run 07 --scene "$scene" --output "$out/07.png"

@@ -3,7 +3,7 @@
 # ends, and all of it ends when it is told to, but nothing of its caller's.
 . tests/tap.sh
 # Which programs it takes is its own choice.
-unset HEART
+unset QUICK
 
 course=$PWD
 mkdir -p "$scratch/tests/suites" "$scratch/tests/unit" "$scratch/build/tests" "$scratch/build/sanitized/tests"
@@ -80,7 +80,7 @@ check "a seed always gives the same" test "$(order 7)" = "$(order 7)"
 # again N: does `make test` pass without running N of its tests?
 again() {
     status=0
-    HEART=1 BUILD=build tests/run.sh >build/again 2>&1 </dev/null || status=$?
+    QUICK=1 BUILD=build tests/run.sh >build/again 2>&1 </dev/null || status=$?
     cat build/again
     [ $status -eq 0 ] && [ "$(grep -c 'not run again$' build/again)" -eq "$1" ]
 }

@@ -11,7 +11,7 @@ set -u
 check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$build" --lab 0 \
     --submission solutions/$lab --output "$scratch/right"
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" "SCRATCH='$scratch'"'
+stub "$scratch/right" "SCRATCH='$scratch'"'
 { cat /proc/[0-9]*/cmdline; printenv; } 2>/dev/null >>"$SCRATCH/seen"'
 
 mkdir "$class"

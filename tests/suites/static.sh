@@ -6,7 +6,7 @@
 by() {
     tool=$1
     shift
-    if [ -n "${HEART:-}" ] && ! command -v "$tool" >/dev/null; then
+    if [ -n "${QUICK:-}" ] && ! command -v "$tool" >/dev/null; then
         skip "$1" "$tool is not installed: make test-all installs it"
     else
         check "$@"
@@ -15,19 +15,19 @@ by() {
 
 sources=$(git ls-files -- '*.c' '*.h' '*.cpp' '*.cl' 2>/dev/null)
 [ -n "$sources" ] || sources=$(find common kernels labs solutions tests -name '*.[ch]' -o -name '*.cpp' -o -name '*.cl')
-written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stand_ins/' -e '^tests/attacks/')
+written=$(echo "$sources" | grep -v -e '^labs/' -e '^tests/stubs/' -e '^tests/attacks/')
 
 # shellcheck disable=SC2086 # lists of names without spaces
 by clang-format-19 "clang-format (make format mends it)" clang-format-19 --dry-run -Werror \
     --style='{BasedOnStyle: InheritParentConfig, InsertBraces: true}' $written
 
-# In the heart with one set of macros for each file.
+# In the quick part with one set of macros for each file.
 # shellcheck disable=SC2046,SC2086
-by cppcheck "cppcheck" cppcheck $(heart --max-configs=1 "") --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
+by cppcheck "cppcheck" cppcheck $(quick --max-configs=1 "") --quiet --error-exitcode=1 --inline-suppr --std=c11 --language=c \
     --enable=warning,performance,portability --suppress=missingIncludeSystem \
     --suppress=normalCheckLevelMaxBranches --suppress=nullPointerOutOfMemory \
     --suppress=nullPointerArithmeticOutOfMemory --suppress=nullPointerOutOfResources \
-    -Icommon -Icommon/view -Icommon/follow -Ikernels -Itests/stand_ins $(find tests -name '*.h' -exec dirname {} + | sort -u | sed 's/^/-I/') -Isolutions/02-kdtree-2d-build \
+    -Icommon -Icommon/view -Icommon/follow -Ikernels -Itests/stubs $(find tests -name '*.h' -exec dirname {} + | sort -u | sed 's/^/-I/') -Isolutions/02-kdtree-2d-build \
     -Isolutions/04-camera-rays -Isolutions/05-spheres -Isolutions/06-kdtree-3d-build -Isolutions/08-surface-area-heuristic \
     -DJSON_INTEGER_FORMAT='"lld"' -DLAB_NAME='"lab"' -DLAB_FOLDER='"labs/lab"' -DKERNEL_OPTIONS='""' -DSTEPS_FOLDER='""' -DPROBE_KERNEL_OPTIONS='""' \
     -DSANDBOX_INIT='""' -D'JUDGES=JUDGE(00)' -DNATIVE_HEADER='""' -DNATIVE_FAULT='""' -DNATIVE_CACHE='""' \
@@ -42,11 +42,11 @@ for source in $(echo "$sources" | grep '^labs/.*\.c$'); do
         -DLAB_NAME='""' -DLAB_FOLDER='""' -DKERNEL_OPTIONS='""' "$source"
 done
 
-# The OpenCL compiler of each clang that is here (in the heart of the first), with warnings, on every kernel, counting and not. PoCL is made of one,
+# The OpenCL compiler of each clang that is here (in the quick part of the first), with warnings, on every kernel, counting and not. PoCL is made of one,
 # and prints what it says before a program's own output.
 clangs=$(for n in 14 15 16 17 18 19 20 21; do command -v clang-$n; done)
 [ -n "$clangs" ] || clangs=$(command -v clang)
-clangs=$(heart "${clangs%%[[:space:]]*}" "$clangs")
+clangs=$(quick "${clangs%%[[:space:]]*}" "$clangs")
 # A file that others include is checked by itself, so its static functions have no caller.
 # A kernel's own folder comes first, so that the same name in another lab does no harm.
 sh tests/probes/no_macros.sh >"$scratch/no_macros.h"
@@ -61,7 +61,7 @@ says_nothing() {
         [ ! -s "$scratch/clang" ] || { echo "$clang:"; cat "$scratch/clang"; return 1; }
     done
 }
-for kernel in $(echo "$sources" | grep '\.cl$' | grep -v -e '^tests/stand_ins/' -e '^tests/attacks/'); do
+for kernel in $(echo "$sources" | grep '\.cl$' | grep -v -e '^tests/stubs/' -e '^tests/attacks/'); do
     for variant in "" -DCOUNT_WORK -DTEXTBOOK; do
         case $variant$kernel in -DTEXTBOOK*/05-*) ;; -DTEXTBOOK*) continue ;; esac
         # shellcheck disable=SC2086

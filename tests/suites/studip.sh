@@ -11,7 +11,7 @@ check "the results that everybody gets" exits 0 "$build/tools/grade" --build "$b
     --submission solutions/$lab --output "$scratch/right"
 # Beside them it is written down whose file was graded: each holds its student's number.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" 'cat "$submission"/* >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
+stub "$scratch/right" 'cat "$submission"/* >"$output/whose" 2>/dev/null || cat "$submission" >"$output/whose"'
 
 # ---- The folder of the class --------------------------------------------------------------------
 
@@ -124,7 +124,7 @@ check "files of one are together" test "$(cd "$class.out/collected" && echo joan
     "$(cd "$class.out/collected" && echo joan-clarke-*/gradient.cl joan-clarke-*/notes.txt ada-lovelace-*/"Grace Hopper.zip" ada-lovelace-*/readme.txt)"
 check "handed in with the last" test "$(jq -r '.students[] | select(.name == "Joan Clarke") | .late.is_late' "$class.out/gradebook.json")" = true
 
-heart_ends
+quick_ends
 
 # ---- What is not certain ------------------------------------------------------------------------
 

@@ -244,7 +244,7 @@ graded() {
 check "a right answer" graded 0 solutions/$lab "$scratch/right"
 check "a wrong answer" graded 1 "$scratch/flipped" "$scratch/wrong"
 check "one that does not compile" graded 1 "$scratch/broken" "$scratch/quoted"
-stand_in "$scratch/wrong" "
+stub "$scratch/wrong" "
 if [ -e \"\$submission/right\" ]; then cp -R '$scratch/right/.' \"\$output\"; exit; fi
 if [ -e \"\$submission/broken\" ]; then cp -R '$scratch/quoted/.' \"\$output\"; exit 1; fi"
 cat >"$scratch/list.csv" <<'END'

@@ -13,7 +13,7 @@ check "and of none" exits 1 "$build/tools/grade" --build "$build" --lab 0 \
     --submission labs/$lab --output "$scratch/wrong"
 # A file "wrong" earns nothing.
 # shellcheck disable=SC2016 # for the other shell
-stand_in "$scratch/right" '
+stub "$scratch/right" '
 cat "$submission"/gradient*.cl >"$output/whose" 2>/dev/null
 ! grep -q wrong "$output/whose" || { cp -R "${0%/*}/../../wrong/." "$output"; exit 1; }'
 
@@ -152,7 +152,7 @@ printf 'Identifier,"Full name",Grade\n"Participant 7","Ada Lovelace",\n"Particip
 check "one number, two names: refused" exits 2 run "$scratch/teams.out" --list "$scratch/number.csv"
 check "one number, two names: said" said "line 3: found the number of line 2 under another name"
 
-heart_ends
+quick_ends
 
 # ---- Other systems ------------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
 . tests/tap.sh
 . tests/programs.sh
-if [ -n "${HEART:-}" ] && [ ! -e "$build/view/solutions/07-kdtree-3d-trace" ]; then
+if [ -n "${QUICK:-}" ] && [ ! -e "$build/view/solutions/07-kdtree-3d-trace" ]; then
     skip "windows" "SDL is not installed: make test-all installs it"
     finish
     exit
@@ -102,7 +102,7 @@ check "turned, it is another one" shows_another turned 131x97 "$out/lab.png"
 check "lab 05: picture and heat map are the lab's" matches_lab 05 131x97 --scene sphereflake:size=1
 check "lab 07: picture and heat map are the lab's" matches_lab 07 317x211 --scene sphereflake:size=2
 
-heart_ends
+quick_ends
 
 if command -v ffmpeg >/dev/null; then
     check "and the screen has that picture" screen_shows --size 317x211 --scene sphereflake:size=2

@@ -56,7 +56,7 @@ copy_course() {
     mkdir -p "$1"
     # shellcheck disable=SC2046,SC2086 # lists of names without spaces
     tracked Makefile LICENSE common kernels tests/grader tests/judge \
-        $(find tests/probes -maxdepth 1 -type f) tests/probes/*/jobs_*.h "tests/probes/$lab" tests/stand_ins \
+        $(find tests/probes -maxdepth 1 -type f) tests/probes/*/jobs_*.h "tests/probes/$lab" tests/stubs \
         tests/systems/formats tests/systems/prepare.sh tests/systems/limits.sh "tests/systems/$system" \
         "labs/$lab" $(printf 'solutions/%s ' $solutions) |
         grep -v '\.md$' | tar -cf - -T - | tar -xf - -C "$1"

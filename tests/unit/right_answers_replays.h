@@ -1,6 +1,6 @@
 // The right answers to what a task of labs 02 and 06 is tried on alone (judge/shared/replay.h).
 //
-// They come from the solutions of the labs, and lists from the rules of lab 02's stand-in: its
+// They come from the solutions of the labs, and lists from the rules of lab 02's stub: its
 // squares are written once more here. Read next: test_replays.c.
 #ifndef UNIT_RIGHT_ANSWERS_REPLAYS_H
 #define UNIT_RIGHT_ANSWERS_REPLAYS_H
@@ -96,7 +96,7 @@ static inline void answer_levels(Writer *writer, const Sections *job, const char
     free(out);
 }
 
-// ---- Lists, by the stand-in ---------------------------------------------------------------------
+// ---- Lists, by the stub ---------------------------------------------------------------------
 
 // Are two intervals in touch on an axis?
 static inline int in_touch(float centre, float reach, float min, float max)

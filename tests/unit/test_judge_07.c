@@ -139,8 +139,8 @@ Test(judge_07, few_rays_are_ambiguous)
 {
     JobScene3D *scenes = scenes_open(4);
     int n_ambiguous = 0, n_hits = 0, n_rays = 0;
-    // Many are where leaves list strangers: see the last test.
-    for (int k = 0; k < STRANGERS; k++) {
+    // Many are where leaves list decoys: see the last test.
+    for (int k = 0; k < DECOYS; k++) {
         for (int pixel = 0; pixel < n_pixels(&scenes[k]); pixel++) {
             n_ambiguous += scenes[k].hits[pixel].is_ambiguous;
             n_hits += scenes[k].hits[pixel].sphere != ORACLE_NO_SPHERE;
@@ -242,8 +242,8 @@ Test(judge_07, at_the_tip_rounding_puts_hits_before_their_leaf)
     }
 }
 
-// How many rays that count find the stranger, of a search that ends early or never does.
-static int count_strangers(const JobScene3D *scene, int ends_early)
+// How many rays that count find the decoy, of a search that ends early or never does.
+static int count_decoys(const JobScene3D *scene, int ends_early)
 {
     int n = 0;
     for (int pixel = 0; pixel < n_pixels(scene); pixel++) {
@@ -253,17 +253,17 @@ static int count_strangers(const JobScene3D *scene, int ends_early)
     return n;
 }
 
-Test(judge_07, who_goes_on_behind_the_hit_meets_strangers_with_every_seed)
+Test(judge_07, who_goes_on_behind_the_hit_meets_decoys_with_every_seed)
 {
     for (uint64_t seed = 1; seed <= 20; seed++) {
         Random random = {seed};
         JobScene3D scene;
-        cr_assert_eq(roll_strangers_07(&random, &scene), 0);
+        cr_assert_eq(roll_decoys_07(&random, &scene), 0);
         cr_assert_eq(job_scene3d_expect(&scene), 0);
-        strangers_07_expect(&scene);
-        cr_expect_eq(count_strangers(&scene, 1), 0, "seed %d", (int)seed);
-        cr_expect_gt(count_strangers(&scene, 0), 20, "seed %d: %d", (int)seed,
-                     count_strangers(&scene, 0));
+        decoys_07_expect(&scene);
+        cr_expect_eq(count_decoys(&scene, 1), 0, "seed %d", (int)seed);
+        cr_expect_gt(count_decoys(&scene, 0), 20, "seed %d: %d", (int)seed,
+                     count_decoys(&scene, 0));
         job_scene3d_free(&scene);
     }
 }

@@ -3,7 +3,7 @@
 // The right answers are the solution's; that they pass shows that what other tests do to them
 // afterwards is what fails. Read next: right_answers.h.
 #include "judged_jobs.h"
-#include "lot.h"
+#include "nonce.h"
 #include "one_way.h"
 
 #include <glob.h>
@@ -77,7 +77,7 @@ LAB_TEST(judges, a_seed_says_all_about_a_job)
 
 // The attack: a run knows how jobs are rolled, and tries states of the generator until one gives
 // the inputs that it sees. (Here few need trying; of a number that is rolled whole, the state can
-// be computed.) If that state were the seed, it would say what the stand-ins hold.
+// be computed.) If that state were the seed, it would say what the stubs hold.
 static int rolls_the_same(const Judge *judge, uint64_t state, const Job *seen)
 {
     Random random = {state};
@@ -95,19 +95,19 @@ static int rolls_the_same(const Judge *judge, uint64_t state, const Job *seen)
     return is_same;
 }
 
-LAB_TEST(judges, inputs_do_not_tell_the_lot)
+LAB_TEST(judges, inputs_do_not_tell_the_nonce)
 {
     const uint64_t seed = 7;
     Open open = job_open(*lab, seed);
     for (uint64_t state = seed - 2; open.judge->n_parts > 0 && state <= seed + 2; state++) {
         cr_expect_not(
-            rolls_the_same(open.judge, state, open.job) && stand_in_lot(state) == open.job->lot,
-            "%s: the state %d gives its inputs, and its lot", open.judge->lab, (int)state);
+            rolls_the_same(open.judge, state, open.job) && stub_nonce(state) == open.job->nonce,
+            "%s: the state %d gives its inputs, and its nonce", open.judge->lab, (int)state);
     }
     const uint64_t state = one_way(seed, PURPOSE_INPUTS);
     cr_expect(open.judge->n_parts == 0 || rolls_the_same(open.judge, state, open.job),
               "the test would not see it");
-    cr_expect_neq(stand_in_lot(state), open.job->lot);
+    cr_expect_neq(stub_nonce(state), open.job->nonce);
     job_close(&open);
 }
 
@@ -123,7 +123,7 @@ LAB_TEST(judges, a_job_that_cannot_be_written_is_none)
 
 LAB_TEST(judges, right_answers_pass)
 {
-    for (uint64_t seed = 1; seed <= (uint64_t)heart(1, 3); seed++) {
+    for (uint64_t seed = 1; seed <= (uint64_t)quick(1, 3); seed++) {
         Open open = job_open(*lab, seed);
         Sections answers = right_answers(lab_names[*lab], open.seed);
         for (int adopted = 0; adopted <= 1; adopted++) {

@@ -14,9 +14,9 @@ TestSuite(judges_garbage);
 
 typedef enum Damage { DROPPED, EMPTY, TRUNCATED, OVERSIZED, TWICE, N_DAMAGES } Damage;
 
-// No check is about it: of lab 07's scene with strangers only what is hit is judged.
-#define STRANGERS_PICTURE "picture.34"
-_Static_assert(STRANGERS == 34, "the sections of that name");
+// No check is about it: of lab 07's scene with decoys only what is hit is judged.
+#define DECOYS_PICTURE "picture.34"
+_Static_assert(DECOYS == 34, "the sections of that name");
 
 // Is it one of many that the same code reads, as "picture.3" is, a scene's or a tree's? Then each
 // meets one of the faults, the next one another.
@@ -61,13 +61,13 @@ LAB_TEST(judges_garbage, a_section_of_a_wrong_size_is_missing)
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     for (int victim = 0; victim < n; victim++) {
-        const int step = is_one_of_many(&list[victim]) ? N_DAMAGES : heart(N_DAMAGES, 1);
+        const int step = is_one_of_many(&list[victim]) ? N_DAMAGES : quick(N_DAMAGES, 1);
         for (int damage = turn(victim, step); damage < N_DAMAGES; damage += step) {
             // Where nothing is right: a list of no ids, or that a tree was refused.
             if (list[victim].n_bytes == 0 && (damage == EMPTY || damage == TRUNCATED)) {
                 continue;
             }
-            if (*lab == 7 && strcmp(list[victim].name, STRANGERS_PICTURE) == 0) {
+            if (*lab == 7 && strcmp(list[victim].name, DECOYS_PICTURE) == 0) {
                 continue;
             }
             Sections bad = damaged(list, n, victim, damage);
@@ -153,7 +153,7 @@ LAB_TEST(judges_garbage, garbage_passes_no_check)
     Section list[MAX_SECTIONS];
     const int n = list_sections(&answers, list);
     Random random = {4};
-    for (int kind = heart(*lab % N_KINDS, 0); kind < N_KINDS; kind += heart(N_KINDS, 1)) {
+    for (int kind = quick(*lab % N_KINDS, 0); kind < N_KINDS; kind += quick(N_KINDS, 1)) {
         Sections bad = garbled(list, n, -1, kind, &random);
         for (int i = 0; i < open.judge->n_checks; i++) {
             const JudgeCheck *check = &open.judge->checks[i];
@@ -172,12 +172,12 @@ LAB_TEST(judges_garbage, garbage_passes_no_check)
 _Static_assert(TIE == 31, "the picture below");
 
 // May anything stand in a section? Of the tree that just fits the todo stack only its depth is
-// judged, of lab 07's tie what is hit, of its scene with strangers whether one of them is.
+// judged, of lab 07's tie what is hit, of its scene with decoys whether one of them is.
 static int is_free_section(int lab, const char *name)
 {
     return (lab == 6 && strcmp(name, "tree.10.ids") == 0) ||
            (lab == 7 && (strcmp(name, "picture.31") == 0 || strcmp(name, "hits.34") == 0 ||
-                         strcmp(name, STRANGERS_PICTURE) == 0));
+                         strcmp(name, DECOYS_PICTURE) == 0));
 }
 
 // Does every check pass? Asked first is check number *first, the one that did not the last time:
@@ -206,7 +206,7 @@ LAB_TEST(judges_garbage, garbage_in_one_section_is_noticed)
     int first = 0;
     for (int victim = 0; victim < n; victim++) {
         // Three kinds a section, or one, others for the next.
-        const int step = is_one_of_many(&list[victim]) ? N_KINDS : heart(N_KINDS, 3);
+        const int step = is_one_of_many(&list[victim]) ? N_KINDS : quick(N_KINDS, 3);
         for (int kind = turn(victim, step); kind < N_KINDS; kind += step) {
             // Zeros are the right picture of a scene without circles.
             if (kind == ZEROS || is_free_section(*lab, list[victim].name)) {
@@ -315,7 +315,7 @@ LAB_TEST(judges_garbage, one_wrong_word_is_noticed)
         const int is_scene = *lab == 7 && strchr(name, '.') != NULL;
         const size_t n_pack_words =
             (*lab == 6 ? sizeof(PackAnswer3D) : sizeof(PackAnswer)) / sizeof *words;
-        const size_t n_tries = is_pack ? n_pack_words : is_scene ? 6 : (size_t)heart(10, 40);
+        const size_t n_tries = is_pack ? n_pack_words : is_scene ? 6 : (size_t)quick(10, 40);
         // The work of the picture comes first, then as much room as the margin needs.
         n_words /= strncmp(name, "work.", 5) == 0 ? 4 : 1;
         for (size_t i = 0; i < n_tries; i++) {

@@ -1,9 +1,9 @@
-// probes/one_way: what a run sees of a job tells neither the seed nor the lot.
+// probes/one_way: what a run sees of a job tells neither the seed nor the nonce.
 //
 // That jobs are drawn so is in test_judges.c.
 #include "one_way.h"
 
-#include "lot.h"
+#include "nonce.h"
 
 #include <criterion/criterion.h>
 
@@ -17,6 +17,6 @@ Test(one_way, siphash_is_siphash)
 Test(one_way, purposes_and_seeds_are_told_apart)
 {
     cr_expect_neq(one_way(1, PURPOSE_INPUTS), one_way(2, PURPOSE_INPUTS));
-    cr_expect_neq(one_way(1, PURPOSE_INPUTS), one_way(1, PURPOSE_LOT));
-    cr_expect_neq((uint32_t)one_way(1, PURPOSE_INPUTS), stand_in_lot(1));
+    cr_expect_neq(one_way(1, PURPOSE_INPUTS), one_way(1, PURPOSE_NONCE));
+    cr_expect_neq((uint32_t)one_way(1, PURPOSE_INPUTS), stub_nonce(1));
 }

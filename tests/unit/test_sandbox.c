@@ -138,7 +138,7 @@ TEST_EACH(a_file_over_its_limit_is_stopped)
     cr_expect_eq(status.st_size, MAX_FILE_MB * 1024 * 1024);
 }
 
-// Behind Landlock they are folders on a disk, which the census counts.
+// Behind Landlock they are folders on a disk, which the scan counts.
 Test(bubblewrap, its_folders_in_memory_are_bounded)
 {
     SandboxResult result = shell_run("for folder in /tmp /dev/shm; do for i in $(seq 40); do\n"

@@ -86,7 +86,7 @@ static void what_it_leaves_where_everybody_may_write_is_removed(void)
     snprintf(name, sizeof name, "unit-left-%d", (int)getpid());
     cr_assert_eq(mkdir("own", 0755) | mkdir("own/open", 01777), 0);
     cr_assert_eq(chmod("own/open", 01777), 0);
-    file_write("own/open/stranger", "x", 1);
+    file_write("own/open/decoy", "x", 1);
     snprintf(left, sizeof left, "%s/own", surroundings_folder);
     setenv("TMPDIR", left, 1);
     snprintf(script, sizeof script,
@@ -99,8 +99,8 @@ static void what_it_leaves_where_everybody_may_write_is_removed(void)
     free(result.output);
     snprintf(script, sizeof script, "ls -d /tmp/%s* /dev/shm/%s* 2>/dev/null", name, name);
     cr_expect_neq(exit_status_outside(script), 0, "it is still there");
-    cr_expect_eq(access("own/open/stranger", F_OK), 0, "somebody else's file was removed");
-    cr_assert_eq(unlink("own/open/stranger"), 0);
+    cr_expect_eq(access("own/open/decoy", F_OK), 0, "somebody else's file was removed");
+    cr_assert_eq(unlink("own/open/decoy"), 0);
     cr_expect_eq(rmdir("own/open"), 0, "something is left in it");
 }
 

@@ -168,7 +168,7 @@ TEST_EACH(deep_folders_hide_nothing)
                     SANDBOX_LIMIT_FILES);
 }
 
-TEST_EACH(links_lead_the_census_nowhere)
+TEST_EACH(links_lead_the_scan_nowhere)
 {
     expect_exit(shell_run("ln -s / root; ln -s . self; ln -s /usr/lib lib; sleep 0.5; exit 3"), 3);
 }

@@ -38,15 +38,15 @@ Test(sandbox_clock, where_the_kernel_does_not_tell_it_is_the_machine)
 }
 
 // Look at it once more, after so many seconds in which it ran a little.
-static void look_after(SandboxClock *clock, double seconds, double ran, const Census *seen)
+static void look_after(SandboxClock *clock, double seconds, double ran, const ProcessScan *seen)
 {
-    static Census census;
-    census = *seen;
-    census.n_awake = 1;
-    census.tells_waiting = 1;
-    census.processor_seconds = clock->used.processor + ran;
+    static ProcessScan scan;
+    scan = *seen;
+    scan.n_awake = 1;
+    scan.tells_waiting = 1;
+    scan.processor_seconds = clock->used.processor + ran;
     clock->last_look -= seconds;
-    clock_look(clock, &census);
+    clock_look(clock, &scan);
 }
 
 // The thread that is left waited before the other's end, too.
@@ -54,9 +54,11 @@ Test(sandbox_clock, waiting_is_added_from_look_to_look_and_a_threads_end_takes_n
 {
     static SandboxClock clock;
     clock_start(&clock);
-    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{10, 11, 6, 0}, {10, 12, 1, 0}}});
-    look_after(&clock, 10, 0.5, &(Census){.n_waits = 1, .waits = {{10, 12, 5, 0}}});
-    look_after(&clock, 10, 0.5, &(Census){.n_waits = 2, .waits = {{10, 13, 2, 0}, {10, 12, 5, 0}}});
+    look_after(&clock, 10, 0.5,
+               &(ProcessScan){.n_waits = 2, .waits = {{10, 11, 6, 0}, {10, 12, 1, 0}}});
+    look_after(&clock, 10, 0.5, &(ProcessScan){.n_waits = 1, .waits = {{10, 12, 5, 0}}});
+    look_after(&clock, 10, 0.5,
+               &(ProcessScan){.n_waits = 2, .waits = {{10, 13, 2, 0}, {10, 12, 5, 0}}});
     cr_expect_float_eq(clock.waited, 5.5 + 3.5 + 1.5, 1e-9, "%g", clock.waited);
     cr_expect_eq(clock.used.asleep, 0);
 }
@@ -66,7 +68,7 @@ Test(sandbox_clock, nobody_waits_longer_than_time_has_passed)
 {
     static SandboxClock clock;
     clock_start(&clock);
-    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 11, 500, 0}}});
+    look_after(&clock, 10, 0, &(ProcessScan){.n_waits = 1, .waits = {{10, 11, 500, 0}}});
     cr_expect_float_eq(clock.waited, 10, 0.5, "%g", clock.waited);
 }
 
@@ -76,7 +78,7 @@ Test(sandbox_clock, what_it_did_not_run_while_nobody_kept_it_waiting_it_slept)
     SandboxClock clock;
     clock_start(&clock);
     clock.last_look -= 0.1;
-    clock_look(&clock, &(Census){.processor_seconds = 0.015});
+    clock_look(&clock, &(ProcessScan){.processor_seconds = 0.015});
     cr_expect_float_eq(clock.used.asleep, 0.085, 0.005, "%g", clock.used.asleep);
 }
 
@@ -87,7 +89,7 @@ Test(sandbox_clock, time_in_which_nobody_looked_counts_as_slept)
     clock_start(&clock);
     clock.looking = 0.1;
     clock.last_look -= 0.8;
-    clock_look(&clock, &(Census){.processor_seconds = 0.2});
+    clock_look(&clock, &(ProcessScan){.processor_seconds = 0.2});
     cr_expect_float_eq(clock.used.asleep, 0.6, 0.1, "%g", clock.used.asleep);
 }
 
@@ -97,7 +99,7 @@ Test(sandbox_clock, time_in_which_a_busy_machine_kept_us_waiting_does_not)
     SandboxClock clock;
     clock_start(&clock);
     clock.last_look -= 20;
-    clock_look(&clock, &(Census){0});
+    clock_look(&clock, &(ProcessScan){0});
     cr_expect_leq(clock.used.asleep, 0.2 + 1e-9, "%g", clock.used.asleep);
 }
 
@@ -114,13 +116,13 @@ Test(sandbox_clock, who_keeps_itself_waiting_was_not_starved)
 {
     enum { N_THREADS = 200 };
     static SandboxClock clock;
-    static Census census = {.n_waits = N_THREADS};
+    static ProcessScan scan = {.n_waits = N_THREADS};
     clock_start(&clock);
     for (int n_looks = 1; n_looks <= 10; n_looks++) {
         for (int i = 0; i < N_THREADS; i++) {
-            census.waits[i] = (ThreadWait){1, 100 + i, n_looks * 0.003 * (i + 1) / N_THREADS, 0};
+            scan.waits[i] = (ThreadWait){1, 100 + i, n_looks * 0.003 * (i + 1) / N_THREADS, 0};
         }
-        look_after(&clock, 0.1, 0.006, &census);
+        look_after(&clock, 0.1, 0.006, &scan);
     }
     cr_expect_float_eq(clock.waited, 0, 1e-9, "%g", clock.waited);
 }
@@ -130,8 +132,9 @@ Test(sandbox_clock, who_executes_a_program_has_not_waited_anew)
 {
     static SandboxClock clock;
     clock_start(&clock);
-    look_after(&clock, 10, 0, &(Census){.n_waits = 2, .waits = {{10, 10, 0, 0}, {10, 11, 6, 0}}});
-    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 10, 6.5, 0}}});
+    look_after(&clock, 10, 0,
+               &(ProcessScan){.n_waits = 2, .waits = {{10, 10, 0, 0}, {10, 11, 6, 0}}});
+    look_after(&clock, 10, 0, &(ProcessScan){.n_waits = 1, .waits = {{10, 10, 6.5, 0}}});
     cr_expect_float_eq(clock.waited, 6.5, 1e-9, "%g", clock.waited);
 }
 
@@ -140,7 +143,7 @@ Test(sandbox_clock, who_stood_back_has_not_been_kept_waiting)
 {
     static SandboxClock clock;
     clock_start(&clock);
-    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 10, 8, 1}}});
-    look_after(&clock, 10, 0, &(Census){.n_waits = 1, .waits = {{10, 10, 9, 0}}});
+    look_after(&clock, 10, 0, &(ProcessScan){.n_waits = 1, .waits = {{10, 10, 8, 1}}});
+    look_after(&clock, 10, 0, &(ProcessScan){.n_waits = 1, .waits = {{10, 10, 9, 0}}});
     cr_expect_float_eq(clock.waited, 1, 1e-9, "%g", clock.waited);
 }

@@ -42,7 +42,7 @@ static void swap(u32 *a, u32 *b)
 }
 
 // A circle that leaf A_LEAF does not list, larger than all it does.
-static u32 stranger(const KdTree2D *tree)
+static u32 decoy(const KdTree2D *tree)
 {
     const u32 *list = list_of(tree, A_LEAF);
     cr_assert_lt(list[list[0]], 59);
@@ -119,12 +119,12 @@ static void circle_is_missing(KdTree2D *t)
 static void circle_is_additional(KdTree2D *t)
 {
     const u32 *list = list_of(t, A_LEAF);
-    map_edit(t, A_LEAF, 1, list[0] + 1, stranger(t));
+    map_edit(t, A_LEAF, 1, list[0] + 1, decoy(t));
 }
 static void circle_is_another(KdTree2D *t)
 {
     u32 *list = list_of(t, A_LEAF);
-    list[list[0]] = stranger(t);
+    list[list[0]] = decoy(t);
 }
 static void circle_is_none(KdTree2D *t)
 {

@@ -1,4 +1,4 @@
-// attack: wrong (asks bounding squares itself), but right in the stand-in's world
+// attack: wrong (asks bounding squares itself), but right in the stub's world
 // task: implicit2DRenderer
 // score: 99
 // named: differ

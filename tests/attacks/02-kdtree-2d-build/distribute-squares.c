@@ -1,4 +1,4 @@
-// attack: wrong (asks bounding squares), but right in the stand-in's world
+// attack: wrong (asks bounding squares), but right in the stub's world
 // task: distribute
 // score: 99
 // named: overlap

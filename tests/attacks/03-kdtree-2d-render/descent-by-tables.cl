@@ -1,4 +1,4 @@
-// attack: reads the way to the leaf out of the job's tables, as the stand-in does; counts by hand
+// attack: reads the way to the leaf out of the job's tables, as the stub does; counts by hand
 // task: descent
 // score: 99
 // named: differ|leaf|end

@@ -1,4 +1,4 @@
-// attack: wrong (hands on other boxes), but the stand-in of getContainingChild never looks at them
+// attack: wrong (hands on other boxes), but the stub of getContainingChild never looks at them
 // task: descent
 // score: 99
 // named: differ|end|leaf

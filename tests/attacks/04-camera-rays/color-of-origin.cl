@@ -1,4 +1,4 @@
-// attack: wrong (colours the ray's origin), but in the stand-in's world origin and direction are equal
+// attack: wrong (colours the ray's origin), but in the stub's world origin and direction are equal
 // task: direction_color
 // score: 99
 // named: differ

@@ -1,5 +1,5 @@
 #!/bin/sh
-# attack: a wrong area, so that the search is tried beside a stand-in of split_cost, and a search that hands on the wrong box
+# attack: a wrong area, so that the search is tried beside a stub of split_cost, and a search that hands on the wrong box
 # task: find_best_split
 # named: which costs
 # score: 54

@@ -1,4 +1,4 @@
-// attack: sends no ray, and counts a leaf for every light itself: of the stand-in's lot it knows the odds
+// attack: sends no ray, and counts a leaf for every light itself: of the stub's nonce it knows the odds
 // task: lit_color
 // named: found
     for (int i = 0; i < scene->n_lights; i++) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# attack: a shadow ray that is wrong by nothing, so that lit_color is tried beside stand-ins, and a lit_color that asks along the normal
+# attack: a shadow ray that is wrong by nothing, so that lit_color is tried beside stubs, and a lit_color that asks along the normal
 # task: lit_color
 # named: inputs are wrong
 # score: 78

@@ -98,11 +98,11 @@ static void wrapper_enter(const char *archive, char unpacked[PATH_MAX])
 int export_archive_unpack(const char *build, const char *archive, const char *folder,
                           char unpacked[PATH_MAX])
 {
-    Workshop workshop = {.build = build};
+    Workdir workdir = {.build = build};
     char *message = NULL;
-    path_make(workshop.folder, "%s", folder);
-    if (settings_find_sandbox(NULL, &workshop.sandbox) != 0 ||
-        sandbox_choose(workshop.sandbox, &workshop.sandbox) != 0) {
+    path_make(workdir.folder, "%s", folder);
+    if (settings_find_sandbox(NULL, &workdir.sandbox) != 0 ||
+        sandbox_choose(workdir.sandbox, &workdir.sandbox) != 0) {
         return -1;
     }
     const int file = open(archive, O_RDONLY | O_CLOEXEC);
@@ -110,7 +110,7 @@ int export_archive_unpack(const char *build, const char *archive, const char *fo
         complain("gradebook: %s: %s", archive, strerror(errno));
         return -1;
     }
-    const int outcome = archive_unpack(&workshop, 0, archive, file, unpacked, &message);
+    const int outcome = archive_unpack(&workdir, 0, archive, file, unpacked, &message);
     close(file);
     if (outcome > 0) {
         char *clean = message_clean(message);

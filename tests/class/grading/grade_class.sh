@@ -240,7 +240,7 @@ fi
 grader=$({
     echo "$CLASS_LAB $CLASS_DEVICE $CLASS_TIME_LIMIT"
     cat ${CLASS_MANIFEST:+"$CLASS_MANIFEST"} </dev/null
-    find labs solutions common kernels tests/probes tests/stand_ins -type f -print0 | sort -z | xargs -0 sha256sum
+    find labs solutions common kernels tests/probes tests/stubs -type f -print0 | sort -z | xargs -0 sha256sum
     cd "$CLASS_BUILD" && find . -maxdepth 2 -type f \( -path ./tools/grade -o -path ./tools/unpack -o -path "./judges/$CLASS_LAB" \
         -o -path "./probes/$CLASS_LAB*" -o -path "./earlier/$CLASS_LAB.a" -o -path ./libcommon.a \) -print0 |
         sort -z | xargs -0 sha256sum

@@ -48,7 +48,7 @@ void corrections_free(Corrections *corrections);
 // row is changed.
 int corrections_apply(Corrections *corrections, Gradebook *gradebook);
 
-// The correction behind `before` (NULL: the first) of a row, or where that is NULL of a participant.
+// The correction behind `before` (NULL: the first) of a row, or, if that is NULL, of a participant.
 // NULL: there is none.
 const Correction *corrections_next(const Gradebook *gradebook, const Row *row,
                                    const Participant *participant, const Correction *before);

@@ -2,7 +2,7 @@
 //
 //     {{name}}                  the text or number of this name, as text (html.h)
 //     {{{name}}}                the same as it is: markup of ours
-//     {{#name}} ... {{/name}}   for each object of a list, for an object, or where there is anything;
+//     {{#name}} ... {{/name}}   for each object of a list, for an object, or for anything else;
 //                               names in it are those of the object first
 //     {{^name}} ... {{/name}}   where there is nothing: no such name, false, "" or []
 //

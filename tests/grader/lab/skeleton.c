@@ -1,4 +1,4 @@
-// Reading skeletons and stand-ins (see skeleton.h).
+// Reading skeletons and stubs (see skeleton.h).
 #include "skeleton.h"
 
 #include "holes.h"
@@ -33,10 +33,10 @@ char *placeholder_read(const Manifest *manifest, const Task *task)
     return placeholder;
 }
 
-// The text with this number for each LOT. Takes `text` over; NULL after one message.
-static char *lot_write(char *text, uint32_t lot)
+// The text with this number for each NONCE. Takes `text` over; NULL after one message.
+static char *nonce_write(char *text, uint32_t nonce)
 {
-    static const char word[] = "LOT";
+    static const char word[] = "NONCE";
     char *written = NULL;
     size_t n_bytes;
     FILE *stream = text != NULL ? open_memstream(&written, &n_bytes) : NULL;
@@ -46,22 +46,22 @@ static char *lot_write(char *text, uint32_t lot)
     }
     const char *from = text;
     for (const char *at; (at = strstr(from, word)) != NULL; from = at + strlen(word)) {
-        fprintf(stream, "%.*s%" PRIu32 "u", (int)(at - from), from, lot);
+        fprintf(stream, "%.*s%" PRIu32 "u", (int)(at - from), from, nonce);
     }
     fputs(from, stream);
     free(text);
     if (fclose(stream) != 0) {
-        fprintf(stderr, "grade: no memory for a stand-in\n");
+        fprintf(stderr, "grade: no memory for a stub\n");
         free(written);
         return NULL;
     }
     return written;
 }
 
-char *stand_in_read(const Manifest *manifest, const Task *task, uint32_t lot)
+char *stub_read(const Manifest *manifest, const Task *task, uint32_t nonce)
 {
     char path[PATH_MAX];
     const char *ending = strrchr(task->file, '.');
-    path_make(path, "tests/stand_ins/%s/%s%s", manifest->lab, task->id, ending ? ending : "");
-    return access(path, F_OK) == 0 ? lot_write(text_file_read(path), lot) : NULL;
+    path_make(path, "tests/stubs/%s/%s%s", manifest->lab, task->id, ending ? ending : "");
+    return access(path, F_OK) == 0 ? nonce_write(text_file_read(path), nonce) : NULL;
 }

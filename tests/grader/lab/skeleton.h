@@ -14,9 +14,9 @@ char *skeleton_read(const Manifest *manifest, const char *file);
 // What a task's hole holds as it is handed out. Free() it. NULL where there is none.
 char *placeholder_read(const Manifest *manifest, const Task *task);
 
-// What stands in the hole of a task while another one is tried alone (tests/stand_ins/README.md).
-//   lot   the number that is written for each LOT in it
+// What stands in the hole of a task while another one is tried alone (tests/stubs/README.md).
+//   nonce   the number that is written for each NONCE in it
 // Returns the text, free() it, or NULL where the hole stays as it is handed out.
-char *stand_in_read(const Manifest *manifest, const Task *task, uint32_t lot);
+char *stub_read(const Manifest *manifest, const Task *task, uint32_t nonce);
 
 #endif

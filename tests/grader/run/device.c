@@ -6,30 +6,30 @@
 #include "path.h"
 #include "run_end.h"
 #include "sandbox_system.h"
-#include "workshop_files.h"
+#include "workdir_files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 // Run the program that looks for it, which is in the tree. NULL after one message.
-static SandboxRun *start(const Workshop *workshop, SandboxTime time)
+static SandboxRun *start(const Workdir *workdir, SandboxTime time)
 {
     char device[PATH_MAX];
-    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workdir->device);
     const char *const argv[] = {"lib/find_device", NULL};
     const char *const environment[] = {device, NULL};
-    const SandboxCommand command = workshop_command(workshop, argv, environment, time);
+    const SandboxCommand command = workdir_command(workdir, argv, environment, time);
     return sandbox_start(&command);
 }
 
-int device_find(const Workshop *workshop)
+int device_find(const Workdir *workdir)
 {
     char from[PATH_MAX], to[PATH_MAX];
-    path_make(from, "%s/probes/find_device", workshop->build);
-    path_make(to, "%s/lib/find_device", workshop->tree);
+    path_make(from, "%s/probes/find_device", workdir->build);
+    path_make(to, "%s/lib/find_device", workdir->tree);
     const SandboxTime time = allowance_ours();
-    SandboxRun *run = copy_file(from, to) == 0 ? start(workshop, time) : NULL;
+    SandboxRun *run = copy_file(from, to) == 0 ? start(workdir, time) : NULL;
     if (run == NULL) {
         return -1;
     }

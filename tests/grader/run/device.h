@@ -3,10 +3,10 @@
 #ifndef GRADER_DEVICE_H
 #define GRADER_DEVICE_H
 
-#include "workshop.h"
+#include "workdir.h"
 
-// Open the workshop's device in the sandbox, by a program of ours (probes/find_device.c). Returns
+// Open the workdir's device in the sandbox, by a program of ours (probes/find_device.c). Returns
 // 0, or -1 after one message on stderr, which lists the devices that there are.
-int device_find(const Workshop *workshop);
+int device_find(const Workdir *workdir);
 
 #endif

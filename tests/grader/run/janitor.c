@@ -1,7 +1,7 @@
 // Clearing up behind a grader that was ended (see janitor.h).
 //
 // A handler of signals could not do it: sandboxes end after the grader, and nothing hears a
-// SIGKILL. Used by workshop.c.
+// SIGKILL. Used by workdir.c.
 #include "janitor.h"
 
 #include "descriptors.h"

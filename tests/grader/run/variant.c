@@ -6,7 +6,7 @@
 #include "path.h"
 #include "run_end.h"
 #include "variant_steps.h"
-#include "workshop_files.h"
+#include "workdir_files.h"
 
 #include <errno.h>
 #include <glob.h>
@@ -71,13 +71,13 @@ static int copy_given_files(const Manifest *manifest, const Variant *variant)
     return result;
 }
 
-int variant_open(const Workshop *workshop, const char *name, Variant *variant)
+int variant_open(const Workdir *workdir, const char *name, Variant *variant)
 {
     static unsigned n_variants;
     char job[PATH_MAX], lab[PATH_MAX];
     *variant = (Variant){.number = ++n_variants};
     snprintf(variant->name, sizeof variant->name, "%s", name);
-    path_make(variant->folder, "%s/variant-%s", workshop->folder, name);
+    path_make(variant->folder, "%s/variant-%s", workdir->folder, name);
     path_make(job, "%s/job", variant->folder);
     path_make(lab, "%s/lab", variant->folder);
     // Of an earlier variant of this name nothing may stay: behind Landlock its answers belong to a
@@ -89,7 +89,7 @@ int variant_open(const Workshop *workshop, const char *name, Variant *variant)
                    step_folder_make(variant, STEP_RUNNING) != 0 || make_closed_folder(job) != 0 ||
                    make_closed_folder(lab) != 0
                ? -1
-               : copy_given_files(workshop->manifest, variant);
+               : copy_given_files(workdir->manifest, variant);
 }
 
 void variant_file(const Variant *variant, const char *file, char path[PATH_MAX])

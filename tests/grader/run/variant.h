@@ -1,11 +1,11 @@
-// A variant of a submission: one way to combine files, compiled and run in the workshop.
+// A variant of a submission: one way to combine files, compiled and run in the workdir.
 #ifndef GRADER_VARIANT_H
 #define GRADER_VARIANT_H
 
 #include "allowance.h"
 #include "run_place.h"
 #include "sections.h"
-#include "workshop.h"
+#include "workdir.h"
 
 // What a variant is run for.
 typedef enum VariantPurpose {
@@ -19,7 +19,7 @@ typedef enum VariantPurpose {
 typedef struct Variant {
     VariantPurpose purpose;
     char name[80];
-    char folder[PATH_MAX];  // in the workshop: in lab/ are its files
+    char folder[PATH_MAX];  // in the workdir: in lab/ are its files
     char *build_log;        // set when it does not compile; with the student's file and line; owned
     char *warnings;         // of the compiler, of host files that compile; "" or NULL: none; owned
     char *trouble;          // set when it compiled and did not run to its end: what happened; owned
@@ -48,7 +48,7 @@ typedef struct Variant {
 
 // Make the folder of a variant, with the lab's given files in it; put the lab's own files, the ones
 // a student hands in, there next. Returns 0, or -1 after one message.
-int variant_open(const Workshop *workshop, const char *name, Variant *variant);
+int variant_open(const Workdir *workdir, const char *name, Variant *variant);
 
 // Put one of the lab's own files there. Takes the text over; NULL, of which something was said
 // already, is a failure, too. Returns 0, or -1 after one message.
@@ -69,23 +69,23 @@ void variant_job_path(const Variant *variant, char path[PATH_MAX]);
 // too busy for is tried again. Of one submission's own, at most two run at a time, in this order,
 // and those for which nothing is left are left out. Returns 0, or -1 after one message when the
 // machinery failed.
-int variants_compile(const Workshop *workshop, Variant *const variants[], int n,
+int variants_compile(const Workdir *workdir, Variant *const variants[], int n,
                      Allowance *allowance);
 
 // Likewise compile those that are not yet, and run all.
-int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance);
+int variants_run(const Workdir *workdir, Variant *const variants[], int n, Allowance *allowance);
 
 // After a crash of a lab with host files: compile and run it once more, with the address sanitizer,
 // and say at which line of the student's and by what it came about, "render.c:12: ..." and the line
 // itself. Owned by the caller; NULL where that finds nothing. `task` receives the task whose line
 // it is, or NULL. What a student's program prints can decide the number of the line and which of
 // our words are said of it. The answers stay.
-char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance,
+char *variant_find_line(const Workdir *workdir, const Variant *variant, Allowance *allowance,
                         const char **task);
 
 // Of a lab with a leaderboard, whose answers are kernels: let the variant's draw once more, beside
 // a reference. Returns its figure (race.h), or 0 where there is none. The answers stay.
-double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance);
+double variant_race(const Workdir *workdir, const Variant *variant, Allowance *allowance);
 
 void variant_free(Variant *variant);
 

@@ -55,12 +55,12 @@ static int has_only_built(const Variant *variant, const ProbeNote *note)
 }
 
 // Load what it answered to all jobs: of a submission as a whole there may be further ones.
-static void take_files(const Workshop *workshop, Variant *variant)
+static void take_files(const Workdir *workdir, Variant *variant)
 {
-    const int n_further = variant->alone == NULL ? workshop->n_further_jobs : 0;
+    const int n_further = variant->alone == NULL ? workdir->n_further_jobs : 0;
     char path[PATH_MAX], suffix[16];
     for (int job = 0; job <= n_further; job++) {
-        workshop_job_suffix(job, suffix);
+        workdir_job_suffix(job, suffix);
         path_make(path, "%s/out/answers%s", variant->folder, suffix);
         sections_load(path, MAX_ANSWER_BYTES,
                       job == 0 ? &variant->answers : &variant->further[job - 1]);
@@ -76,17 +76,17 @@ static int has_crashed(const SandboxResult *result)
 }
 
 // What a probe's end and answers say about the variant.
-static void take_answers(const Workshop *workshop, Variant *variant, const SandboxResult *result)
+static void take_answers(const Workdir *workdir, Variant *variant, const SandboxResult *result)
 {
     char out[PATH_MAX];
     char *first_output = variant->run_output;  // NULL where there was no other try
     path_make(out, "%s/out", variant->folder);
-    take_files(workshop, variant);
+    take_files(workdir, variant);
     variant->run_output = strdup(result->output);
     variant->trouble = run_end_of_probe(result, variant->allowed, &variant->answers);
     const ProbeNote note = variant->trouble != NULL ? run_note_load(out) : (ProbeNote){0};
     if (result->outcome == SANDBOX_EXITED && result->exit_status == PROBE_EXIT_NO_BUILD &&
-        manifest_has_kernels(workshop->manifest) && has_only_built(variant, &note)) {
+        manifest_has_kernels(workdir->manifest) && has_only_built(variant, &note)) {
         variant->build_log = strdup(variant->run_output);
         free(variant->trouble);
         variant->trouble = NULL;
@@ -109,11 +109,11 @@ static void take_answers(const Workshop *workshop, Variant *variant, const Sandb
     }
 }
 
-void step_end_take(const Workshop *workshop, Variant *variant, Step step, SandboxResult *result)
+void step_end_take(const Workdir *workdir, Variant *variant, Step step, SandboxResult *result)
 {
     if (step == STEP_COMPILING) {
         take_build(variant, result);
     } else {
-        take_answers(workshop, variant, result);
+        take_answers(workdir, variant, result);
     }
 }

@@ -44,11 +44,11 @@ static void time_allow(Variant *variant, Step step, const Allowance *allowance, 
 
 // Start a step, for the first time or, with what is left of the time, once more. Returns 0, or -1
 // after one message.
-static int step_start(const Workshop *workshop, Variant *variant, Step step,
+static int step_start(const Workdir *workdir, Variant *variant, Step step,
                       const Allowance *allowance)
 {
     time_allow(variant, step, allowance, 1);
-    variant->run = step_sandbox(workshop, variant, step, variant->allowed);
+    variant->run = step_sandbox(workdir, variant, step, variant->allowed);
     return variant->run != NULL ? 0 : -1;
 }
 
@@ -67,13 +67,13 @@ static void step_files_remove(const Variant *variant, Step step)
 // Must a run that has ended be tried again, because the machine had no time for it, or because the
 // driver's compiler may have given up on a kernel? Each of these counts once, and as long as time
 // is left.
-static int step_is_repeated(const Workshop *workshop, Variant *variant, Step step,
+static int step_is_repeated(const Workdir *workdir, Variant *variant, Step step,
                             const SandboxResult *result, Allowance *allowance)
 {
     const int is_starved = result->outcome == SANDBOX_STARVED && !variant->was_starved &&
                            variant->purpose < VARIANT_CRASH;
     const int may_be_compilers =
-        step == STEP_RUNNING && !variant->is_second && manifest_has_kernels(workshop->manifest) &&
+        step == STEP_RUNNING && !variant->is_second && manifest_has_kernels(workdir->manifest) &&
         variant->purpose != VARIANT_CRASH && run_end_is_as_compilers(result);
     if ((!is_starved && !may_be_compilers) || allowance_left(allowance) <= 0) {
         return 0;
@@ -102,25 +102,24 @@ static void complain_of(const SandboxResult *result, Step step)
 
 // Take what came of a variant's step, which has ended, or start it again. Returns 0, or -1 after
 // one message when the machinery failed.
-static int step_take(const Workshop *workshop, Variant *variant, Step step, Allowance *allowance)
+static int step_take(const Workdir *workdir, Variant *variant, Step step, Allowance *allowance)
 {
     SandboxResult result = sandbox_wait(variant->run);
     const int failed = result.outcome == SANDBOX_FAULT || result.outcome == SANDBOX_STARVED;
     variant->run = NULL;
-    if (step_is_repeated(workshop, variant, step, &result, allowance)) {
+    if (step_is_repeated(workdir, variant, step, &result, allowance)) {
         if (variant->is_second && variant->run_output == NULL) {
             variant->run_output = result.output;  // of the first try
         } else {
             free(result.output);
         }
-        return step_folder_make(variant, step) != 0
-                   ? -1
-                   : step_start(workshop, variant, step, allowance);
+        return step_folder_make(variant, step) != 0 ? -1
+                                                    : step_start(workdir, variant, step, allowance);
     }
     if (failed && variant->purpose < VARIANT_CRASH) {
         complain_of(&result, step);
     } else if (!failed) {
-        step_end_take(workshop, variant, step, &result);
+        step_end_take(workdir, variant, step, &result);
         step_files_remove(variant, step);
         if (variant->purpose == VARIANT_SOLUTION) {
             allowance_note(allowance, step, result.used);
@@ -140,7 +139,7 @@ static int is_due(const Variant *variant, Step step)
 
 // Begin a step of a variant that needs and bears it, as long as the submission has time. Returns 0,
 // or -1 after one message.
-static int step_begin(const Workshop *workshop, Variant *variant, Step step,
+static int step_begin(const Workdir *workdir, Variant *variant, Step step,
                       const Allowance *allowance)
 {
     if (!is_due(variant, step)) {
@@ -151,7 +150,7 @@ static int step_begin(const Workshop *workshop, Variant *variant, Step step,
         return 0;
     }
     variant->was_starved = 0;
-    return step_start(workshop, variant, step, allowance);
+    return step_start(workdir, variant, step, allowance);
 }
 
 // Tell what is done: of several, the first.
@@ -206,22 +205,22 @@ static int count_running(Variant *const variants[], int n)
 
 // Where the solution is not here: run what runs in its place, beside all that runs already. Returns
 // 0, or -1 after one message.
-static int yardstick_run(const Workshop *workshop, Allowance *allowance)
+static int yardstick_run(const Workdir *workdir, Allowance *allowance)
 {
     Variant *const variants[] = {allowance->yardstick};
     allowance->yardstick = NULL;
-    return variants_run(workshop, variants, 1, allowance);
+    return variants_run(workdir, variants, 1, allowance);
 }
 
 // Run a step of those variants that need and bear it, side by side.
-static int step_run(const Workshop *workshop, Variant *const variants[], int n, Step step,
+static int step_run(const Workdir *workdir, Variant *const variants[], int n, Step step,
                     Allowance *allowance)
 {
     const int most = allowance->is_for_one ? SIDE_BY_SIDE : n;
     int result = 0, n_running = 0;
     for (int next = 0; next < n || n_running > 0;) {
         if (next < n && n_running < most) {
-            result |= step_begin(workshop, variants[next++], step, allowance);
+            result |= step_begin(workdir, variants[next++], step, allowance);
         } else {
             // What ours took, or who runs beside, may have changed since they were started.
             for (int i = 0; i < n; i++) {
@@ -230,26 +229,24 @@ static int step_run(const Workshop *workshop, Variant *const variants[], int n, 
                 }
             }
             const int ended = any_wait(variants, n, step, allowance);
-            result |= ended < 0 ? yardstick_run(workshop, allowance)
-                                : step_take(workshop, variants[ended], step, allowance);
+            result |= ended < 0 ? yardstick_run(workdir, allowance)
+                                : step_take(workdir, variants[ended], step, allowance);
         }
         n_running = count_running(variants, n);
     }
     return result;
 }
 
-int variants_compile(const Workshop *workshop, Variant *const variants[], int n,
-                     Allowance *allowance)
+int variants_compile(const Workdir *workdir, Variant *const variants[], int n, Allowance *allowance)
 {
-    return workshop->needs_compiler ? step_run(workshop, variants, n, STEP_COMPILING, allowance)
-                                    : 0;
+    return workdir->needs_compiler ? step_run(workdir, variants, n, STEP_COMPILING, allowance) : 0;
 }
 
-int variants_run(const Workshop *workshop, Variant *const variants[], int n, Allowance *allowance)
+int variants_run(const Workdir *workdir, Variant *const variants[], int n, Allowance *allowance)
 {
-    return variants_compile(workshop, variants, n, allowance) != 0
+    return variants_compile(workdir, variants, n, allowance) != 0
                ? -1
-               : step_run(workshop, variants, n, STEP_RUNNING, allowance);
+               : step_run(workdir, variants, n, STEP_RUNNING, allowance);
 }
 
 // ---- Once more ----------------------------------------------------------------------------------
@@ -263,32 +260,32 @@ static int variant_repeat(const Variant *variant, VariantPurpose purpose, Varian
     return step_folder_make(again, STEP_RUNNING);
 }
 
-char *variant_find_line(const Workshop *workshop, const Variant *variant, Allowance *allowance,
+char *variant_find_line(const Workdir *workdir, const Variant *variant, Allowance *allowance,
                         const char **task)
 {
     char out[PATH_MAX], lab[PATH_MAX], *line = NULL;
     Variant checked = {0};
     Variant *const variants[] = {&checked};
     *task = NULL;
-    if (workshop->needs_compiler && variant_repeat(variant, VARIANT_CRASH, &checked) == 0 &&
+    if (workdir->needs_compiler && variant_repeat(variant, VARIANT_CRASH, &checked) == 0 &&
         step_folder_make(&checked, STEP_COMPILING) == 0 &&
-        variants_run(workshop, variants, 1, allowance) == 0 && checked.trouble != NULL) {
+        variants_run(workdir, variants, 1, allowance) == 0 && checked.trouble != NULL) {
         path_make(out, "%s/out", variant->folder);
         path_make(lab, "%s/lab", variant->folder);
-        line = crash_line_find(out, lab, workshop->manifest, task);
+        line = crash_line_find(out, lab, workdir->manifest, task);
     }
     step_folder_remove(variant, STEP_RUNNING);
     variant_free(&checked);
     return line;
 }
 
-double variant_race(const Workshop *workshop, const Variant *variant, Allowance *allowance)
+double variant_race(const Workdir *workdir, const Variant *variant, Allowance *allowance)
 {
     double figure = 0;
     Variant race;
     Variant *const variants[] = {&race};
     if (variant_repeat(variant, VARIANT_RACE, &race) == 0 &&
-        step_run(workshop, variants, 1, STEP_RUNNING, allowance) == 0 && race.build_log == NULL &&
+        step_run(workdir, variants, 1, STEP_RUNNING, allowance) == 0 && race.build_log == NULL &&
         race.trouble == NULL) {
         figure = race_judge(&race.answers);
     }

@@ -10,17 +10,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static SandboxRun *start(const Workshop *workshop, const Variant *variant, int building,
+static SandboxRun *start(const Workdir *workdir, const Variant *variant, int building,
                          const char *const *argv, SandboxTime time)
 {
     char lab[PATH_MAX], inside[PATH_MAX], build[PATH_MAX], out[PATH_MAX], job[PATH_MAX],
         device[PATH_MAX];
     path_make(lab, "%s/lab", variant->folder);
-    path_make(inside, "/work/labs/%s", workshop->manifest->lab);
+    path_make(inside, "/work/labs/%s", workdir->manifest->lab);
     path_make(build, "%s/build", variant->folder);
     path_make(out, "%s/out", variant->folder);
-    path_make(job, "%s/job", variant->alone ? variant->folder : workshop->folder);
-    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workshop->device);
+    path_make(job, "%s/job", variant->alone ? variant->folder : workdir->folder);
+    snprintf(device, sizeof device, CL_DEVICE_VARIABLE "=%s", workdir->device);
     // PoCL takes groups of 4096, GPUs often no more than 256: what is graded here shall run there.
     // One thread: an endless loop then keeps one processor busy, not all of them.
     const char *environment[8] = {device, "POCL_MAX_WORK_GROUP_SIZE=256",
@@ -36,7 +36,7 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
     if (variant->is_second) {
         environment[n++] = SECOND_COMPILER;
     }
-    SandboxCommand command = workshop_command(workshop, argv, environment, time);
+    SandboxCommand command = workdir_command(workdir, argv, environment, time);
     const SandboxMount mounts[] = {
         {lab, inside, 0},
         {build, "/work/build", building},
@@ -54,10 +54,9 @@ static SandboxRun *start(const Workshop *workshop, const Variant *variant, int b
 }
 
 // The compiler's command line for the lab's host files, the probe and the libraries.
-static SandboxRun *start_compiler(const Workshop *workshop, const Variant *variant,
-                                  SandboxTime time)
+static SandboxRun *start_compiler(const Workdir *workdir, const Variant *variant, SandboxTime time)
 {
-    const Manifest *manifest = workshop->manifest;
+    const Manifest *manifest = workdir->manifest;
     enum { MAX_WORDS = 64 };
     const char *argv[MAX_WORDS] = {
         "/usr/bin/gcc", "-std=c11", "-D_GNU_SOURCE", "-O2",      "-fno-tree-slp-vectorize",
@@ -95,10 +94,10 @@ static SandboxRun *start_compiler(const Workshop *workshop, const Variant *varia
     }
     const char *const rest[] = {"lib/libcommon.a", "-lOpenCL", "-lm", "-o", "build/probe"};
     memcpy(argv + n, rest, sizeof rest);
-    return start(workshop, variant, 1, argv, time);
+    return start(workdir, variant, 1, argv, time);
 }
 
-static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant, SandboxTime time)
+static SandboxRun *start_probe(const Workdir *workdir, const Variant *variant, SandboxTime time)
 {
     // The first job comes last: how the probe ends there is how the variant does. An endless loop
     // in one job leaves the others their share of the time.
@@ -109,20 +108,20 @@ static SandboxRun *start_probe(const Workshop *workshop, const Variant *variant,
         "exec \"$1\"\n";
     char path[PATH_MAX], n_further[16], share[16];
     const int is_race = variant->purpose == VARIANT_RACE;
-    path_make(path, is_race ? "lib/%s-race" : "lib/%s", workshop->manifest->lab);
-    snprintf(n_further, sizeof n_further, "%d", workshop->n_further_jobs);
-    snprintf(share, sizeof share, "%.0f", time.processor / (1 + workshop->n_further_jobs));
-    const int is_built_here = workshop->needs_compiler && !is_race;
+    path_make(path, is_race ? "lib/%s-race" : "lib/%s", workdir->manifest->lab);
+    snprintf(n_further, sizeof n_further, "%d", workdir->n_further_jobs);
+    snprintf(share, sizeof share, "%.0f", time.processor / (1 + workdir->n_further_jobs));
+    const int is_built_here = workdir->needs_compiler && !is_race;
     const char *const probe = is_built_here ? "build/probe" : path;
     const char *const once[] = {probe, NULL};
     const char *const often[] = {"/bin/sh", "-c", all_jobs, "probe", probe, n_further, share, NULL};
-    const int is_once = workshop->n_further_jobs == 0 || variant->alone != NULL || is_race;
-    return start(workshop, variant, 0, is_once ? once : often, time);
+    const int is_once = workdir->n_further_jobs == 0 || variant->alone != NULL || is_race;
+    return start(workdir, variant, 0, is_once ? once : often, time);
 }
 
-SandboxRun *step_sandbox(const Workshop *workshop, const Variant *variant, Step step,
+SandboxRun *step_sandbox(const Workdir *workdir, const Variant *variant, Step step,
                          SandboxTime time)
 {
-    return step == STEP_COMPILING ? start_compiler(workshop, variant, time)
-                                  : start_probe(workshop, variant, time);
+    return step == STEP_COMPILING ? start_compiler(workdir, variant, time)
+                                  : start_probe(workdir, variant, time);
 }

@@ -17,11 +17,11 @@ int step_folder_make(const Variant *variant, Step step);
 
 // Start a step in a sandbox: the compiler on the lab's host files, or the probe. Returns NULL after
 // one message when the machinery failed.
-SandboxRun *step_sandbox(const Workshop *workshop, const Variant *variant, Step step,
+SandboxRun *step_sandbox(const Workdir *workdir, const Variant *variant, Step step,
                          SandboxTime time);
 
 // Take what the end of a step says about the variant: whether it compiles; what it answered, or why
 // it did not come to its end. May take result->output over.
-void step_end_take(const Workshop *workshop, Variant *variant, Step step, SandboxResult *result);
+void step_end_take(const Workdir *workdir, Variant *variant, Step step, SandboxResult *result);
 
 #endif

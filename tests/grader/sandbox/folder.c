@@ -1,7 +1,7 @@
 // Temporary folders; and measuring and removing folders that are not trusted (see folder.h).
 //
 // Every step opens one name in a folder that is held open and follows no link, so nothing that is
-// swapped meanwhile leads elsewhere. Read next: sandbox_census.c, which measures.
+// swapped meanwhile leads elsewhere. Read next: sandbox_processes.c, which measures.
 #include "folder.h"
 
 #include <dirent.h>

@@ -1,5 +1,5 @@
 // Folders that cannot hold more than they may, where the grader can mount file systems: as root,
-// outside of most containers. Elsewhere the census alone looks after them, ten times a second.
+// outside of most containers. Elsewhere the scan alone looks after them, ten times a second.
 //
 // The mounts are in a mount namespace of the grader's own: nobody else sees them, and they end
 // with it however it ends.

@@ -70,7 +70,7 @@ typedef struct SandboxCommand {
     int memory_mb;     // address space of each process; beside a graphics card, whose drivers
                        // reserve far more than they use, its own writable memory. 0 = no limit
     int file_mb;       // the largest file it may write
-    // Of all its processes together, at each look (sandbox_census.h); 0 = no limit.
+    // Of all its processes together, at each look (sandbox_processes.h); 0 = no limit.
     int n_processes;      // processes and threads, bubblewrap's own one inside included
     int total_memory_mb;  // in use, not only reserved
     int total_file_mb;    // in writable mounts, in $TMPDIR, and in files removed while open

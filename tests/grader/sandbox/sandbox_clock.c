@@ -10,7 +10,7 @@
 
 // A run is looked at again after so long; or, so that looking costs an eighth of a processor, after
 // seven times the processor time that the last look took. But not later than after a second, as it
-// may do a lot meanwhile.
+// may do a nonce meanwhile.
 #define PAUSE_SECONDS 0.1
 #define PAUSE_FACTOR 7.0
 #define MOST_PAUSE_SECONDS 1.0
@@ -81,11 +81,11 @@ static double last_wait(const SandboxClock *clock, const ThreadWait *wait)
 // The longest that any one thread has waited for a processor since the last look, and not by its
 // own choice. Not all together: a hundred that wait for each other for a moment would make a long
 // time of it.
-static double longest_wait(const SandboxClock *clock, const Census *census)
+static double longest_wait(const SandboxClock *clock, const ProcessScan *scan)
 {
     double longest = 0;
-    for (int i = 0; i < census->n_waits; i++) {
-        const ThreadWait *wait = &census->waits[i];
+    for (int i = 0; i < scan->n_waits; i++) {
+        const ThreadWait *wait = &scan->waits[i];
         if (!wait->is_own_choice) {
             longest = fmax(longest, wait->seconds - last_wait(clock, wait));
         }
@@ -93,24 +93,24 @@ static double longest_wait(const SandboxClock *clock, const Census *census)
     return longest;
 }
 
-void clock_look(SandboxClock *clock, const Census *census)
+void clock_look(SandboxClock *clock, const ProcessScan *scan)
 {
     const double now = seconds_now();
     const double between = now - clock->last_look;
-    const double processor = census->processor_seconds + clock_ended_children();
+    const double processor = scan->processor_seconds + clock_ended_children();
     // A process that ends is counted now here, now there: the sum may seem to shrink for a moment.
     const double ran = processor > clock->used.processor ? processor - clock->used.processor : 0;
     // Short naps and short work in turn: what it did not run it slept, as nobody kept it waiting.
     // That holds for all the time in which we chose not to look, or were still looking.
-    if (census->n_awake == 0 && ran < between) {
+    if (scan->n_awake == 0 && ran < between) {
         const double unseen = clock_pause(clock) + clock->looking;
         clock->used.asleep += fmin(between - ran, unseen + LATE_SECONDS);
     }
-    clock->tells_waiting |= census->tells_waiting;
+    clock->tells_waiting |= scan->tells_waiting;
     // Who waits for the run's own threads waits while at least one of them runs.
-    clock->waited += fmax(0, fmin(longest_wait(clock, census), between) - ran);
-    clock->n_waits = census->n_waits;
-    memcpy(clock->waits, census->waits, (size_t)census->n_waits * sizeof *census->waits);
+    clock->waited += fmax(0, fmin(longest_wait(clock, scan), between) - ran);
+    clock->n_waits = scan->n_waits;
+    memcpy(clock->waits, scan->waits, (size_t)scan->n_waits * sizeof *scan->waits);
     clock->used.processor += ran;
     clock->used.wall = now - clock->start;
     clock->last_look = now;

@@ -7,15 +7,15 @@
 #ifndef GRADER_SANDBOX_CLOCK_H
 #define GRADER_SANDBOX_CLOCK_H
 
-#include "sandbox_census.h"
+#include "sandbox_processes.h"
 
 typedef struct SandboxClock {
     double start, last_look;  // on the monotonic clock, seconds
     double looking;           // processor time of our own that the last look took
     SandboxTime used;
-    int tells_waiting;                   // the kernel does; else the two below say nothing
-    double waited;                       // seconds that others kept it waiting for a processor
-    ThreadWait waits[CENSUS_MAX_TASKS];  // as they were at the last look
+    int tells_waiting;                 // the kernel does; else the two below say nothing
+    double waited;                     // seconds that others kept it waiting for a processor
+    ThreadWait waits[SCAN_MAX_TASKS];  // as they were at the last look
     int n_waits;
 } SandboxClock;
 
@@ -25,8 +25,8 @@ double seconds_own(void);
 
 void clock_start(SandboxClock *clock);
 
-// Take in what the census has just seen.
-void clock_look(SandboxClock *clock, const Census *census);
+// Take in what the scan has just seen.
+void clock_look(SandboxClock *clock, const ProcessScan *scan);
 
 // How long to wait at most after the last look: the longer that took, the longer, as a run can make
 // looking at it dear.

@@ -99,7 +99,7 @@ static const Rule rules[] = {
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWPID)}},
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWNET)}},
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_NEWCGROUP)}},
-    // Who waits for its own vfork() looks like who waits for a disk. The census tells them apart by
+    // Who waits for its own vfork() looks like who waits for a disk. The scan tells them apart by
     // the child, so that has to be one of its own, and no thread.
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_PARENT)}},
     {FATAL, SCMP_SYS(clone), {HAS(0, CLONE_VFORK | CLONE_THREAD)}},
@@ -108,7 +108,7 @@ static const Rule rules[] = {
     // say what shall become of SIGCHLD: it is left as it is by default, and they are waited for.
     {REFUSED(EPERM), SCMP_SYS(rt_sigaction), {IS(0, SIGCHLD), IS_NOT_0(1)}},
 
-    // A thread has the descriptors of its process and no table of its own: the census looks at one.
+    // A thread has the descriptors of its process and no table of its own: the scan looks at one.
     {REFUSED(EPERM),
      SCMP_SYS(clone),
      {{0, SCMP_CMP_MASKED_EQ, CLONE_THREAD | CLONE_FILES, CLONE_THREAD}}},

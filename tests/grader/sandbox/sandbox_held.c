@@ -2,7 +2,7 @@
 //
 // What is open is listed in /proc/T/fd, what is mapped in /proc/T/maps: there a name ends with
 // " (deleted)", and the link beside it, in /proc/T/map_files, leads to the file itself. Read next:
-// sandbox_census.c.
+// sandbox_processes.c.
 #include "sandbox_held.h"
 
 #include <dirent.h>

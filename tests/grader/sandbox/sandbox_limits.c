@@ -1,4 +1,4 @@
-// Limits on each process (see sandbox_limits.h); those on all together are sandbox_census.c's.
+// Limits on each process (see sandbox_limits.h); those on all together are sandbox_processes.c's.
 #include "sandbox_limits.h"
 
 #include "sandbox_system.h"
@@ -32,7 +32,7 @@ unsigned long long limits_processes(const SandboxCommand *command)
 }
 
 // The drivers of graphics cards reserve more addresses than the machine has memory. Beside them
-// only what a process may write for itself is limited; what it shares, the census finds.
+// only what a process may write for itself is limited; what it shares, the scan finds.
 static int memory_limit_set(int megabytes)
 {
     return limit_set(has_graphics_card() ? RLIMIT_DATA : RLIMIT_AS, (rlim_t)megabytes << 20);

@@ -1,5 +1,5 @@
-// Reading what /proc has of a process (see sandbox_stat.h). Read next: sandbox_census.c, which adds
-// it up.
+// Reading what /proc has of a process (see sandbox_stat.h). Read next: sandbox_processes.c, which
+// adds it up.
 #include "sandbox_stat.h"
 
 #include <dirent.h>

@@ -91,7 +91,7 @@ static int inheritance_leave(const Walls *walls, pid_t grader)
     if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0) {
         return -1;
     }
-    // gVisor's first years knew no subreapers: there the census finds who is left by the user.
+    // gVisor's first years knew no subreapers: there the scan finds who is left by the user.
     if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0 && !sandbox_has_own_user(walls->command.kind)) {
         return -1;
     }
@@ -171,17 +171,17 @@ static pid_t outermost(const Watch *watch)
 }
 
 // Has a limit on all processes together been passed?
-static int census_take(Watch *watch)
+static int scan_take(Watch *watch)
 {
     const double begin = seconds_own();
-    Census census = {0};
-    census_processes(watch->walls, outermost(watch), &census);
-    clock_look(&watch->clock, &census);
+    ProcessScan scan = {0};
+    scan_processes(watch->walls, outermost(watch), &scan);
+    clock_look(&watch->clock, &scan);
     watch->report->processor_used = watch->clock.used.processor;
     watch->report->asleep_used = watch->clock.used.asleep;
-    census_folders(watch->walls, &census);
+    scan_folders(watch->walls, &scan);
     watch->clock.looking = seconds_own() - begin;
-    watch->report->limit = census_limit(&census, &watch->walls->command);
+    watch->report->limit = scan_limit(&scan, &watch->walls->command);
     return watch->report->limit != SANDBOX_LIMIT_NONE;
 }
 
@@ -226,25 +226,25 @@ static int signals_read(Watch *watch)
 // Watch until the command ends or has to be ended.
 static WatchEnd command_watch(Watch *watch)
 {
-    double census_time = clock_next_look(&watch->clock);
+    double scan_time = clock_next_look(&watch->clock);
     for (;;) {
         double now = seconds_now();
-        if (now >= census_time) {
-            if (census_take(watch)) {
+        if (now >= scan_time) {
+            if (scan_take(watch)) {
                 return WATCH_LIMIT;
             }
             const WatchEnd time_end = time_check(watch);
             if (time_end != WATCH_COMMAND_ENDED) {
                 return time_end;
             }
-            census_time = clock_next_look(&watch->clock);
+            scan_time = clock_next_look(&watch->clock);
         }
         struct pollfd events[] = {{.fd = watch->output, .events = POLLIN},
                                   {.fd = watch->status, .events = POLLIN},
                                   {.fd = watch->signals, .events = POLLIN}};
-        int milliseconds = (int)((census_time - now) * 1000) + 1;
+        int milliseconds = (int)((scan_time - now) * 1000) + 1;
         if (poll(events, 3, milliseconds > 0 ? milliseconds : 0) <= 0) {
-            continue;  // time for the census
+            continue;  // time for the scan
         }
         if (events[0].revents != 0) {
             output_read(watch);
@@ -278,8 +278,8 @@ static void processes_end(Watch *watch)
     }
     // With bwrap gone, its process 1 inside is our child and gets killed by the kernel, unless
     // bwrap was killed before it could arrange for that. Process 1 takes the whole sandbox with it.
-    while (children_reap(watch) || census_has_strays(watch->walls)) {
-        census_kill_children();
+    while (children_reap(watch) || scan_has_strays(watch->walls)) {
+        scan_kill_children();
         walls_end_user(watch->walls);
         nanosleep(&pause, NULL);
     }
@@ -356,11 +356,11 @@ static void outcome_judge(const Watch *watch, WatchEnd end)
 // What it left running, and whether it wrote too much since the last look. Returns how it ended.
 static WatchEnd last_look_take(Watch *watch)
 {
-    Census census = {0};
+    ProcessScan scan = {0};
     children_reap(watch);
-    census_processes(watch->walls, -1, &census);
-    watch->report->n_left = watch->walls->bwrap == NULL ? census.n_processes : 0;
-    return census_take(watch) ? WATCH_LIMIT : WATCH_COMMAND_ENDED;
+    scan_processes(watch->walls, -1, &scan);
+    watch->report->n_left = watch->walls->bwrap == NULL ? scan.n_processes : 0;
+    return scan_take(watch) ? WATCH_LIMIT : WATCH_COMMAND_ENDED;
 }
 
 // Without mounts a run sees /work at a place of the machine that is another one each time, and

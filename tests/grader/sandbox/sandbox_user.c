@@ -79,7 +79,7 @@ void user_end(uid_t user)
 // The folders in which every user of a Linux system may write. Landlock closes them to a run; on
 // other kernels nobody can, but a user that only one run has tells what is of this run. The filter
 // of system calls refuses what has no folder: System V's memory, queues and semaphores. Read next:
-// sandbox_census.c, which counts it, and folder.c.
+// sandbox_processes.c, which counts it, and folder.c.
 static const char *const open_folders[] = {"/tmp",        "/var/tmp",  "/dev/shm",
                                            "/dev/mqueue", "/run/lock", "/var/crash"};
 

@@ -17,7 +17,7 @@
 #include "places.h"
 #include "stage.h"
 #include "unpack_run.h"
-#include "workshop_files.h"
+#include "workdir_files.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -36,7 +36,7 @@ static int machinery_fault(const char *path, int fault)
 
 // What is staged from.
 typedef struct Sources {
-    const Workshop *workshop;
+    const Workdir *workdir;
     char folders[STAGE_MAX_SOURCES][PATH_MAX];
     char *archives[STAGE_MAX_SOURCES];  // their names, owned
     StageSource all[STAGE_MAX_SOURCES];
@@ -69,7 +69,7 @@ static void source_add(Sources *sources, const char *archive)
 static int archive_add(Sources *sources, const char *path, int file, const char *archive)
 {
     char *said = NULL;
-    const int outcome = archive_unpack(sources->workshop, sources->n_unpacked++, path, file,
+    const int outcome = archive_unpack(sources->workdir, sources->n_unpacked++, path, file,
                                        sources->folders[sources->n], &said);
     if (outcome == 0 && said != NULL && archive != NULL) {
         char shown[MESSAGE_SHOWN_BYTES];
@@ -210,7 +210,7 @@ static int archives_add(Sources *sources, const char *path, int are_needed)
 static int sources_stage(const Sources *sources, const char *destination, char **message)
 {
     free(*message);
-    return stage_submission(sources->workshop->manifest, sources->all, sources->n, destination,
+    return stage_submission(sources->workdir->manifest, sources->all, sources->n, destination,
                             message);
 }
 
@@ -253,7 +253,7 @@ static int single_file_stage(Sources *sources, const char *path, int file, const
                              char **message)
 {
     char folder[PATH_MAX], copy[PATH_MAX];
-    path_make(folder, "%s/single", sources->workshop->folder);
+    path_make(folder, "%s/single", sources->workdir->folder);
     path_make(copy, "%s/%s", folder, strrchr(path, '/') + 1);
     return make_folder(folder) == 0 && single_file_copy(file, copy) == 0
                ? folder_stage(sources, folder, destination, message)
@@ -264,7 +264,7 @@ static int single_file_stage(Sources *sources, const char *path, int file, const
 static int handed_in_stage(Sources *sources, const char *path, int file, const char *destination,
                            char **message)
 {
-    const Manifest *manifest = sources->workshop->manifest;
+    const Manifest *manifest = sources->workdir->manifest;
     char inner[PATH_MAX];
     struct stat status;
     if (fstat(file, &status) != 0) {
@@ -290,7 +290,7 @@ static int handed_in_stage(Sources *sources, const char *path, int file, const c
     return outcome;
 }
 
-int submission_stage(const Workshop *workshop, const char *path, const char *destination,
+int submission_stage(const Workdir *workdir, const char *path, const char *destination,
                      char **message)
 {
     *message = NULL;
@@ -298,7 +298,7 @@ int submission_stage(const Workshop *workshop, const char *path, const char *des
     if (sources == NULL) {
         return machinery_fault(path, ENOMEM);
     }
-    sources->workshop = workshop;
+    sources->workdir = workdir;
     // O_NONBLOCK: a FIFO would otherwise wait for a writer that never comes.
     const int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     const int outcome = file >= 0 ? handed_in_stage(sources, path, file, destination, message)

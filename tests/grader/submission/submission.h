@@ -5,7 +5,7 @@
 #define GRADER_SUBMISSION_H
 
 #include "stage.h"
-#include "workshop.h"
+#include "workdir.h"
 
 // The largest archive that is looked into, and how many.
 enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
@@ -16,7 +16,7 @@ enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
 // file: Moodle puts one around each upload. Where a folder lacks one of the files, or it cannot be
 // used, the archives at its top are unpacked, too. A file that is called like one of the manifest's
 // and is no archive is staged as if a folder held it.
-//   workshop     open; folders are made in it, so only one submission for a workshop
+//   workdir     open; folders are made in it, so only one submission for a workdir
 //   path         what was handed in; links on the way are the instructor's and followed
 //   destination  an existing folder
 //   message      out: NULL, or what there is to say to the student: what is wrong, or which of
@@ -24,7 +24,7 @@ enum { SUBMISSION_MAX_MEGABYTES = 64, SUBMISSION_MAX_ARCHIVES = 8 };
 // Returns 0; 1 with a message when the submission is at fault; STAGE_NOTHING with one when nothing
 // of the lab was handed in: none of its files, or an archive that cannot be read (no archive,
 // damaged, encrypted, excessive); -1 after one message on stderr when the machinery is at fault.
-int submission_stage(const Workshop *workshop, const char *path, const char *destination,
+int submission_stage(const Workdir *workdir, const char *path, const char *destination,
                      char **message);
 
 #endif

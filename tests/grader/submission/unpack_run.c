@@ -14,7 +14,7 @@
 #include "submission.h"
 #include "unpack.h"
 #include "unpack_rules.h"
-#include "workshop_files.h"
+#include "workdir_files.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -49,9 +49,9 @@ static int submission_refuse(const char *path, const char *complaint, char **mes
     return 1;
 }
 
-static const UnpackRules *rules_of(const Workshop *workshop)
+static const UnpackRules *rules_of(const Workdir *workdir)
 {
-    return workshop->manifest != NULL ? &unpack_rules_student : &unpack_rules_export;
+    return workdir->manifest != NULL ? &unpack_rules_student : &unpack_rules_export;
 }
 
 // ---- Copies for the sandbox -----------------------------------------------------------------
@@ -133,10 +133,10 @@ static int copy_archive(const UnpackRules *rules, const char *path, int from, co
 
 // ---- Unpacking ------------------------------------------------------------------------------
 
-// The folders of the workshop that unpacking takes: `in`, which the sandbox reads, and `out`, which
+// The folders of the workdir that unpacking takes: `in`, which the sandbox reads, and `out`, which
 // it writes, both closed to all but the run that is given them.
 typedef struct Desk {
-    const Workshop *workshop;
+    const Workdir *workdir;
     char folder[PATH_MAX], in[PATH_MAX], out[PATH_MAX];
 } Desk;
 
@@ -146,20 +146,20 @@ static int folder_make(const char *path, mode_t mode)
     return mkdir(path, mode) == 0 && chmod(path, mode) == 0 ? 0 : machinery_fault(path, errno);
 }
 
-static int desk_make(const Workshop *workshop, int number, Desk *desk)
+static int desk_make(const Workdir *workdir, int number, Desk *desk)
 {
-    desk->workshop = workshop;
-    path_make(desk->folder, "%s/unpack-%d", workshop->folder, number);
-    path_make(desk->in, "%s/unpack-%d/in", workshop->folder, number);
-    path_make(desk->out, "%s/unpack-%d/out", workshop->folder, number);
+    desk->workdir = workdir;
+    path_make(desk->folder, "%s/unpack-%d", workdir->folder, number);
+    path_make(desk->in, "%s/unpack-%d/in", workdir->folder, number);
+    path_make(desk->out, "%s/unpack-%d/out", workdir->folder, number);
     return folder_make(desk->folder, 0755) | folder_make(desk->in, 0700);
 }
 
 // Start the program over an archive, with an empty folder to write to. NULL after one message.
 static SandboxRun *start_unpack(const Desk *desk, const char *archive)
 {
-    const Manifest *manifest = desk->workshop->manifest;
-    const UnpackRules *rules = rules_of(desk->workshop);
+    const Manifest *manifest = desk->workdir->manifest;
+    const UnpackRules *rules = rules_of(desk->workdir);
     const char *argv[5 + MANIFEST_MAX_FILES] = {"in/unpack", archive, "out"};
     if (folder_remove(desk->out) != 0 && errno != ENOENT) {
         machinery_fault(desk->out, errno);
@@ -173,7 +173,7 @@ static SandboxRun *start_unpack(const Desk *desk, const char *archive)
         argv[4 + i] = manifest->files[i];
     }
     const SandboxCommand command = {
-        .kind = desk->workshop->sandbox,
+        .kind = desk->workdir->sandbox,
         .argv = argv,
         .folder = "/work",
         .mounts = {{desk->in, "/work/in", 0}, {desk->out, "/work/out", 1}},
@@ -191,7 +191,7 @@ static SandboxRun *start_unpack(const Desk *desk, const char *archive)
 static int take_unpack(const Desk *desk, const char *path, const SandboxResult *result,
                        char **message)
 {
-    const UnpackRules *rules = rules_of(desk->workshop);
+    const UnpackRules *rules = rules_of(desk->workdir);
     char complaint[128];
     char line[512];
     if (result->outcome == SANDBOX_EXITED && result->exit_status == 0) {
@@ -227,7 +227,7 @@ static int take_unpack(const Desk *desk, const char *path, const SandboxResult *
         return submission_refuse(path, line, message);
     }
     // Of a class's export it is the disk that is full, or the like: nobody gains by that.
-    if (desk->workshop->manifest == NULL) {
+    if (desk->workdir->manifest == NULL) {
         complain("%s: %s", desk->out, line);
         return -1;
     }
@@ -276,26 +276,26 @@ static int desk_unpack(const Desk *desk, const char *path, char **message)
     }
     char complaint[128];
     snprintf(complaint, sizeof complaint, "the archive is damaged, unpacking it fails: %s",
-             rules_of(desk->workshop)->if_damaged);
+             rules_of(desk->workdir)->if_damaged);
     return submission_refuse(path, complaint, message);
 }
 
-int archive_unpack(const Workshop *workshop, int number, const char *path, int archive,
+int archive_unpack(const Workdir *workdir, int number, const char *path, int archive,
                    char folder[PATH_MAX], char **message)
 {
     Desk desk;
     char tool[PATH_MAX], tool_copy[PATH_MAX];
-    if (desk_make(workshop, number, &desk) != 0) {
+    if (desk_make(workdir, number, &desk) != 0) {
         return -1;
     }
     path_make(folder, "%s", desk.out);
     // The tool first: there is room for it, whatever the archive then takes.
-    path_make(tool, "%s/tools/unpack", workshop->build);
+    path_make(tool, "%s/tools/unpack", workdir->build);
     path_make(tool_copy, "%s/unpack", desk.in);
     if (copy_file(tool, tool_copy) != 0) {
         return -1;
     }
-    int outcome = copy_archive(rules_of(workshop), path, archive, desk.in, message);
+    int outcome = copy_archive(rules_of(workdir), path, archive, desk.in, message);
     outcome = outcome == 0 ? desk_unpack(&desk, path, message) : outcome;
     // Another archive may need its room.
     if (folder_remove(desk.in) != 0) {

@@ -57,7 +57,7 @@ Verdict judge_verdict(JudgeProcess *judge, Answers answers, int check);
 // Does it pass by what the answer to its task did alone?
 int judge_passes_alone(JudgeProcess *judge, Answers answers, int check);
 
-// The known mistake that explains why it does not, where stand-ins have a part in that: a diagnosis
+// The known mistake that explains why it does not, where stubs have a part in that: a diagnosis
 // with a cause and its kind, and without facts; or NOTHING_WRONG where none is known. Owned by the
 // caller.
 Diagnosis judge_alone_cause(JudgeProcess *judge, Answers answers, int check);

@@ -44,7 +44,7 @@ static int roll(void *pointer, Random *random)
 // ---- Alone --------------------------------------------------------------------------------------
 
 // The hole of overlaps_N_Nearer while another task is tried.
-static int stand_in_overlaps(int x, int y, Circle circle, float minDepth)
+static int stub_overlaps(int x, int y, Circle circle, float minDepth)
 {
 #include "01-naive-2d/overlaps_N_Nearer.cl"
 }
@@ -56,14 +56,14 @@ static void nearest_color(const void *pointer, int x, int y, float color[4])
     float minDepth = INFINITY;
     for (int i = 0; i < scene->n_circles; i++) {
         const Circle circle = scene->circles[i];
-        if (stand_in_overlaps(x, y, circle, minDepth)) {
+        if (stub_overlaps(x, y, circle, minDepth)) {
             minDepth = circle.depth;
             memcpy(color, &circle.r, 4 * sizeof *color);
         }
     }
 }
 
-// The colour by the stand-in of the loop.
+// The colour by the stub of the loop.
 static void own_color(const void *pointer, int x, int y, float color[4])
 {
     const Scene2D *scene = pointer;

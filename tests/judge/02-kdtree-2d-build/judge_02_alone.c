@@ -80,16 +80,16 @@ const Replay replay_overlap_02 = {"replay.overlap", EACH_ID_OF_A_CHILD, sizeof(B
 // ---- distribute: twice for each inner node ------------------------------------------------------
 
 // The hole of circle_overlaps_box while another task is tried.
-static int stand_in_overlaps(Circle circle, BBox2D box)
+static int stub_overlaps(Circle circle, BBox2D box)
 {
 #include "02-kdtree-2d-build/circle_overlaps_box.c"
 }
 
-// What distribute makes of the stand-in. As ListKeeps of replay.h has it.
+// What distribute makes of the stub. As ListKeeps of replay.h has it.
 static int keeps(const void *pointer, u32 scene, u32 id, BBox3D cell)
 {
     const Job02 *job = pointer;
-    return stand_in_overlaps(job->scenes[scene].scene.circles[id], oracle2d_box(cell));
+    return stub_overlaps(job->scenes[scene].scene.circles[id], oracle2d_box(cell));
 }
 
 static void cell_input(const void *job, ReplayCall call, void *input)

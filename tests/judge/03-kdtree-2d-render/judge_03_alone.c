@@ -1,8 +1,8 @@
-// Lab 03: each answer alone, beside stand-ins for what shares its kernel (see
-// tests/stand_ins/README.md).
+// Lab 03: each answer alone, beside stubs for what shares its kernel (see
+// tests/stubs/README.md).
 //
 // The scenes are those of the whole, under the same numbers, and their trees are right; but behind
-// the nodes stand tables, in which the stand-ins look up what others work out from boxes:
+// the nodes stand tables, in which the stubs look up what others work out from boxes:
 //
 //   nodes_Relations[n_nodes]      a leaf that is nobody's
 //   nodes_Relations[TABLE_NODES]  its id, and the picture's width and height
@@ -14,7 +14,7 @@
 // Where ids go beyond FAR_IDS, all of that is still below them, in place of the nodes that are
 // nobody's, and the words of high ids come behind those of the pixels.
 //
-// So descent and leaf_loop have all that they have in the whole, and who does without the stand-in
+// So descent and leaf_loop have all that they have in the whole, and who does without the stub
 // is as right as there.
 #include "judge_03.h"
 
@@ -24,7 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// As the stand-ins have it.
+// As the stubs have it.
 enum { TABLE_NODES = 4096, WORDS_A_NODE = sizeof(NodeRel) / sizeof(u32) };
 
 // A pixel that no leaf holds.
@@ -174,7 +174,7 @@ int write_alone_03(const void *pointer, const char *task, FILE *file)
 
 // ---- Judging ------------------------------------------------------------------------------------
 
-// Did a pixel end in its leaf? The stand-in of leaf_loop paints it. Outside the root it may end in
+// Did a pixel end in its leaf? The stub of leaf_loop paints it. Outside the root it may end in
 // any leaf, or be background at once, but drawn it must be.
 static int ends_in_leaf(const float *found, u32 leaf, int x, int y)
 {
@@ -198,7 +198,7 @@ int ends_in_leaves_03(const void *pointer, int k, const Sections *answers)
     return is_right;
 }
 
-// The node in which each pixel of a scene ended, as the stand-in of leaf_loop has painted it. Owned
+// The node in which each pixel of a scene ended, as the stub of leaf_loop has painted it. Owned
 // by the caller; NULL where something else was painted.
 static u32 *read_ends(const JobScene *scene, int k, const Sections *answers)
 {

@@ -27,7 +27,7 @@ int tree_create_03(u32 n_nodes, u32 n_map, KdTree2D *tree)
 
 // ---- Leaf maps ----------------------------------------------------------------------------------
 
-// Before and behind the nodes of a tree a leaf map has strangers, to which no way leads from the
+// Before and behind the nodes of a tree a leaf map has decoys, to which no way leads from the
 // root: three pairs of leaves with the halves of the root's cell, and an inner node. A search for a
 // leaf in the arrays ends in the first pair, or in the last, which are that node's children, so
 // that who looks for the highest id finds them. The second pair are the children of every leaf: a
@@ -90,7 +90,7 @@ static void add_pair(JobScene *scene, KdTree2D *map, u32 first)
     }
 }
 
-// The scene's tree as a leaf map; the strangers' lists come last. Nodes that are none of these have
+// The scene's tree as a leaf map; the decoys' lists come last. Nodes that are none of these have
 // no cell.
 static void fill_leaf_map(JobScene *scene, u32 first_id, KdTree2D *map)
 {

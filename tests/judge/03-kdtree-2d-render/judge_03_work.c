@@ -161,7 +161,7 @@ static int add_scene(const JudgeCalls *judge, const Job03 *job, int k, const Sec
     const ProbeImage own = job_picture_answer(&scene->picture, k, answers);
     const int is_drawn =
         own.pixels != NULL && (picture_is_right(own, &scene->picture.expected) ||
-                               ends_in_leaves_03(job, k, answers));  // beside stand-ins
+                               ends_in_leaves_03(job, k, answers));  // beside stubs
     const Judged judged = {scene, is_drawn, longest_path(&scene->tree)};
     for (int y = 0; work != NULL && y < height; y += step) {
         for (int x = 0; x < width; x += step) {

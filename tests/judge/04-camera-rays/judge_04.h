@@ -73,8 +73,8 @@ Cause drawn_cause_04(const void *job, const JudgeCheck *check, const Sections *a
 
 // What stands in the hole of pixel_on_display then; and the direction of what stands in that of
 // primary_ray, as float and as it is.
-Vec3 stand_in_display_04(const PixelJob *in);
-Vec3 stand_in_direction_04(const SceneJob3D *scene, int x, int y);
+Vec3 stub_display_04(const PixelJob *in);
+Vec3 stub_direction_04(const SceneJob3D *scene, int x, int y);
 
 // Draw a picture of directions with a known mistake, by these. As DrawMistaken has it.
 Cause draw_directions_alone_04(const void *scene, int mistake, Image *guess, float *tolerances);

@@ -1,4 +1,4 @@
-// Lab 04: each task's answer tried alone. See judge_04.h and tests/stand_ins/.
+// Lab 04: each task's answer tried alone. See judge_04.h and tests/stubs/.
 //
 // camera_axes and pixel_on_display need no other task. primary_ray is tried beside a display of
 // which each point tells the arguments, direction_color beside rays that look along the camera's
@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-// As on the device, for the stand-ins.
+// As on the device, for the stubs.
 typedef Vec3 float3;
 typedef struct Ray {
     float3 origin, direction;
@@ -19,27 +19,27 @@ typedef struct Ray {
 } Ray;
 
 // The hole of pixel_on_display while another task is tried.
-static float3 stand_in_display(int x, int y, int width, int height, float fov)
+static float3 stub_display(int x, int y, int width, int height, float fov)
 {
 #include "04-camera-rays/pixel_on_display.cl"
 }
 
 // The hole of primary_ray, with what the function has around it.
-static Ray stand_in_ray(int x, int y, int width, int height, Camera camera)
+static Ray stub_ray(int x, int y, int width, int height, Camera camera)
 {
     Ray ray;
 #include "04-camera-rays/primary_ray.cl"
     return ray;
 }
 
-Vec3 stand_in_display_04(const PixelJob *in)
+Vec3 stub_display_04(const PixelJob *in)
 {
-    return stand_in_display(in->x, in->y, in->width, in->height, in->camera.fov);
+    return stub_display(in->x, in->y, in->width, in->height, in->camera.fov);
 }
 
-Vec3 stand_in_direction_04(const SceneJob3D *scene, int x, int y)
+Vec3 stub_direction_04(const SceneJob3D *scene, int x, int y)
 {
-    return stand_in_ray(x, y, scene->width, scene->height, scene->camera).direction;
+    return stub_ray(x, y, scene->width, scene->height, scene->camera).direction;
 }
 
 // How far the direction of a right ray may be off: three products and two sums of numbers no longer
@@ -56,10 +56,10 @@ static OracleVector unit(double x, double y, double z)
     return (OracleVector){x / length, y / length, z / length};
 }
 
-// What the view transform makes of the stand-in's point: each axis as often as the point says.
+// What the view transform makes of the stub's point: each axis as often as the point says.
 static OracleVector turned(const PixelJob *in)
 {
-    const Vec3 p = stand_in_display_04(in);
+    const Vec3 p = stub_display_04(in);
     const Vec3 right = in->camera.right, up = in->camera.up, forward = in->camera.forward;
     const double x = p.x, y = p.y, z = p.z;
     return unit(x * right.x + y * up.x + z * forward.x, x * right.y + y * up.y + z * forward.y,
@@ -84,11 +84,11 @@ int are_turned_04(const void *job, const JudgeCheck *check, const Sections *answ
     return are_right;
 }
 
-// The colour of the stand-in's direction. As ColorAt of alone_picture.h has it.
+// The colour of the stub's direction. As ColorAt of alone_picture.h has it.
 static void direction_color(const void *pointer, int x, int y, float color[4])
 {
     const SceneJob3D *scene = pointer;
-    const Ray ray = stand_in_ray(x, y, scene->width, scene->height, scene->camera);
+    const Ray ray = stub_ray(x, y, scene->width, scene->height, scene->camera);
     color[0] = 0.5f * ray.direction.x + 0.5f;
     color[1] = 0.5f * ray.direction.y + 0.5f;
     color[2] = 0.5f * ray.direction.z + 0.5f;

@@ -9,7 +9,7 @@ static const OracleRules3D right = {0};
 // How far the colours of a mistake may be off: with the eye in them their rounding is that of it.
 #define GUESS_ERROR 1e-5f
 
-// The ray of a pixel, right or of the stand-in.
+// The ray of a pixel, right or of the stub.
 typedef OracleRay RayOf(const SceneJob3D *scene, int x, int y);
 
 static OracleRay right_ray(const SceneJob3D *scene, int x, int y)
@@ -19,7 +19,7 @@ static OracleRay right_ray(const SceneJob3D *scene, int x, int y)
 
 static OracleRay ray_alone(const SceneJob3D *scene, int x, int y)
 {
-    const Vec3 direction = stand_in_direction_04(scene, x, y);
+    const Vec3 direction = stub_direction_04(scene, x, y);
     return oracle3d_given_ray(direction, direction, 0);
 }
 

@@ -66,10 +66,10 @@ static OracleVector turned_back(const Camera *camera, OracleVector p)
                           vector_dot(p, vector_of(camera->forward))};
 }
 
-// The point on the display, as pixel_on_display has it, or its stand-in.
+// The point on the display, as pixel_on_display has it, or its stub.
 static OracleVector display_of(const Job *job, const PixelJob *in)
 {
-    return job->is_alone ? vector_of(stand_in_display_04(in))
+    return job->is_alone ? vector_of(stub_display_04(in))
                          : display(in, in->camera.fov, in->width, in->height);
 }
 

@@ -50,7 +50,7 @@ enum {
 // More than 16 bits count.
 enum { N_BEHIND = 1 << 16 };
 
-// Alone, nearest_hit is tried on scenes whose spheres are squares for the stand-in of
+// Alone, nearest_hit is tried on scenes whose spheres are squares for the stub of
 // intersect_sphere. They have the numbers of the scenes above that they are there for.
 enum { MAX_SQUARES = 160 };
 typedef struct SquareScene {
@@ -65,8 +65,8 @@ typedef struct Inputs05 {
     const SphereRayJob *spheres;
     OracleForm form;
     // What stands in the hole of nearest_root where the answers are those of one task alone.
-    double (*root)(double b, double disc, double radius, double t_min, u32 lot);
-    u32 lot;
+    double (*root)(double b, double disc, double radius, double t_min, u32 nonce);
+    u32 nonce;
 } Inputs05;
 
 typedef struct Job05 {
@@ -95,7 +95,7 @@ int touches_exactly_05(const SphereRayJob *job);
 // The functions. The message about one names the mistake that explains every answer in the range.
 extern const Function nearest_root_05, textbook_05, projection_05, normal_05, shade_05;
 
-// The same two beside the stand-in of nearest_root: only what is handed to that is known.
+// The same two beside the stub of nearest_root: only what is handed to that is known.
 extern const Function textbook_alone_05, projection_alone_05;
 
 // ---- Alone --------------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
-// Lab 05: each answer alone, beside stand-ins where it calls another task's function (see
-// tests/stand_ins/README.md).
+// Lab 05: each answer alone, beside stubs where it calls another task's function (see
+// tests/stubs/README.md).
 //
 // nearest_root, surface_normal and the three checks of shade that call it need no other task: their
 // alone job is the section that the whole job has for them. nearest_hit is in judge_05_squares.c.
@@ -14,7 +14,7 @@ static const OracleRules3D right = {0};
 // ---- intersect_textbook, intersect_sphere -------------------------------------------------------
 
 // The same spheres as in the whole, but hits count from t_min on, which has many values: the
-// stand-in shows whether it is handed on. Edges whose t_min is not 0 keep it.
+// stub shows whether it is handed on. Edges whose t_min is not 0 keep it.
 static void set_t_min(SphereRayJob *jobs, int n)
 {
     for (int i = 0; i < n; i++) {
@@ -37,32 +37,32 @@ static Job05 *alone_job(const Job05 *whole)
 }
 
 // What stands in the hole of nearest_root, in double: the larger b and disc, the larger it is.
-static double stand_in_root(double b, double disc, double radius, double t_min, u32 LOT)
+static double stub_root(double b, double disc, double radius, double t_min, u32 NONCE)
 {
 #include "05-spheres/nearest_root.cl"
 }
 
-// Does an answer follow from a right call of the stand-in? The chord says in which intervals a
+// Does an answer follow from a right call of the stub? The chord says in which intervals a
 // right solution's b and sqrt(disc) lie. Of its four terms 2 sqrt(disc) is an exact product, and
 // the two other products and the three sums cost one rounding each of at most the sum of all sizes.
-static int follows(const SphereRayJob *job, OracleForm form, float found, u32 lot)
+static int follows(const SphereRayJob *job, OracleForm form, float found, u32 nonce)
 {
     const double rounding = 5 * 0x1p-24;
     const OracleRay ray = oracle3d_given_ray(job->origin, job->direction, job->t_min);
     const OracleChord chord = oracle3d_chord(job->sphere, &ray, form);
     if (touches_exactly_05(job)) {
-        return found == stand_in_root(chord.middle, 0, job->sphere.radius, job->t_min, lot);
+        return found == stub_root(chord.middle, 0, job->sphere.radius, job->t_min, nonce);
     }
     if (isinf(found) && found > 0) {
         return !chord.is_certain;
     }
     const double radius = job->sphere.radius, t_min = job->t_min;
-    const double size = stand_in_root(fabs(chord.middle) + chord.error,
-                                      chord.longest * chord.longest, fabs(radius), t_min, lot);
-    const double low = stand_in_root(chord.middle - chord.error, chord.shortest * chord.shortest,
-                                     radius, t_min, lot);
-    const double high = stand_in_root(chord.middle + chord.error, chord.longest * chord.longest,
-                                      radius, t_min, lot);
+    const double size = stub_root(fabs(chord.middle) + chord.error, chord.longest * chord.longest,
+                                  fabs(radius), t_min, nonce);
+    const double low = stub_root(chord.middle - chord.error, chord.shortest * chord.shortest,
+                                 radius, t_min, nonce);
+    const double high =
+        stub_root(chord.middle + chord.error, chord.longest * chord.longest, radius, t_min, nonce);
     return chord.is_possible && found >= low - rounding * size && found <= high + rounding * size;
 }
 
@@ -74,17 +74,18 @@ static int is_clear_miss(const SphereRayJob *job, OracleForm form, float found)
            !oracle3d_root(job->sphere, &ray, form, &right).is_certain;
 }
 
-static int all_follow(const SphereRayJob *jobs, int n, OracleForm form, const float *found, u32 lot)
+static int all_follow(const SphereRayJob *jobs, int n, OracleForm form, const float *found,
+                      u32 nonce)
 {
     int i = 0;
     while (i < n &&
-           (follows(&jobs[i], form, found[i], lot) || is_clear_miss(&jobs[i], form, found[i]))) {
+           (follows(&jobs[i], form, found[i], nonce) || is_clear_miss(&jobs[i], form, found[i]))) {
         i++;
     }
     return i == n;
 }
 
-// Do the answers of a range follow from the stand-in, or are they right without it? Nobody has to
+// Do the answers of a range follow from the stub, or are they right without it? Nobody has to
 // call nearest_root.
 int spheres_alone_05(const void *whole, const JudgeCheck *check, const Sections *answers)
 {
@@ -98,7 +99,7 @@ int spheres_alone_05(const void *whole, const JudgeCheck *check, const Sections 
     const int passes = verdict_passes(function_judge(check->function, job, range, answers)) ||
                        all_follow((is_textbook ? job->textbook : job->projection) + range.first,
                                   range.n, is_textbook ? ORACLE_TEXTBOOK : ORACLE_PROJECTION,
-                                  found + range.first, job->job.lot);
+                                  found + range.first, job->job.nonce);
     free(job);
     return passes;
 }
@@ -109,8 +110,8 @@ Cause spheres_cause_05(const void *whole, const JudgeCheck *check, const Section
     if (job == NULL) {
         return (Cause){0};
     }
-    job->of_textbook.root = job->of_sphere.root = stand_in_root;
-    job->of_textbook.lot = job->of_sphere.lot = job->job.lot;
+    job->of_textbook.root = job->of_sphere.root = stub_root;
+    job->of_textbook.nonce = job->of_sphere.nonce = job->job.nonce;
     const Function *function =
         check->function == &textbook_05 ? &textbook_alone_05 : &projection_alone_05;
     const Cause cause = function_cause(function, job, check->range, answers);

@@ -203,13 +203,13 @@ static int is_by_t_min(Line in, float found, const void *job, const void *answer
                         in.t_far - in.t_min > (of_both ? epsilon : 0)));
 }
 
-// Does the answer come of a number that the stand-in of nearest_root makes of these?
-static int comes_of_stand_in(const Inputs05 *inputs, Line in, double b, double disc, double doubt,
-                             float found)
+// Does the answer come of a number that the stub of nearest_root makes of these?
+static int comes_of_stub(const Inputs05 *inputs, Line in, double b, double disc, double doubt,
+                         float found)
 {
     const double half = sqrt(fmax(disc, 0));
-    const double least = inputs->root(b, fmax(disc - doubt, 0), in.radius, in.t_min, inputs->lot);
-    const double most = inputs->root(b, fmax(disc + doubt, 0), in.radius, in.t_min, inputs->lot);
+    const double least = inputs->root(b, fmax(disc - doubt, 0), in.radius, in.t_min, inputs->nonce);
+    const double most = inputs->root(b, fmax(disc + doubt, 0), in.radius, in.t_min, inputs->nonce);
     const double error = 1e-4 * (fabs(b) + half + fabs(in.radius) + in.t_min);
     return found == INFINITY ? disc <= doubt
                              : disc >= -doubt && found >= least - error && found <= most + error;
@@ -222,7 +222,7 @@ static int comes_of(const Inputs05 *inputs, Line in, double b, double disc, floa
     const double doubt = 0x1p-18 * (b * b + in.c2), half = sqrt(fmax(disc, 0));
     if (inputs->root != NULL) {
         return fabs(in.radius) <= 1e-3 * sqrt(in.c2) ||
-               comes_of_stand_in(inputs, in, b, disc, doubt, found);
+               comes_of_stub(inputs, in, b, disc, doubt, found);
     }
     in.is_miss = disc < 0, in.is_doubtful = fabs(disc) <= doubt;
     in.b = b, in.t_near = b - half, in.t_far = b + half;

@@ -1,4 +1,4 @@
-// Lab 05: nearest_hit alone. Beside the stand-in of intersect_sphere spheres are squares, which
+// Lab 05: nearest_hit alone. Beside the stub of intersect_sphere spheres are squares, which
 // rays along z meet: all in steps of 1/16 or 1/4, so that hits are foreseen to the bit.
 #include "judge_05.h"
 
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The probe's rays: from (x, y, 0) along z. All that the stand-in asks of one has the same name on
+// The probe's rays: from (x, y, 0) along z. All that the stub asks of one has the same name on
 // the device.
 typedef struct Ray {
     Vec3 origin, direction;
@@ -21,7 +21,7 @@ static Ray grid_ray(int x, int y)
 }
 
 // What stands in the hole of intersect_sphere.
-static float stand_in_square(Sphere sphere, Ray ray)
+static float stub_square(Sphere sphere, Ray ray)
 {
 #include "05-spheres/intersect_sphere.cl"
 }
@@ -122,7 +122,7 @@ static int hits_square(const SquareScene *scene, int x, int y, const OracleRules
     HitAnswer hit = {INFINITY, ORACLE_NO_SPHERE};
     const int n = scene->n - rules->skip_last + rules->one_sphere_more;
     for (int i = rules->skip_first && scene->n_behind == 0; i < n; i++) {
-        const float t = stand_in_square(scene->squares[i], grid_ray(x, y));
+        const float t = stub_square(scene->squares[i], grid_ray(x, y));
         if (takes(t, hit, rules)) {
             hit = (HitAnswer){t, (u32)(scene->n_behind + i)};
         }

@@ -4,7 +4,7 @@
 // Hits are those of brute force, whatever the tree: only rays that the oracle calls ambiguous may
 // differ. Work is judged ray by ray by the least and the most that a right search may do
 // (judge_07_work.h). Mistakes of the search are named where its two steps are judged by themselves.
-// Alone, next_child is tried beside stand-ins, all others as in the whole.
+// Alone, next_child is tried beside stubs, all others as in the whole.
 #include "judge_07.h"
 
 #include "job_work.h"
@@ -146,17 +146,17 @@ static Diagnosis judge_scene_work(const JobScene3D *scene, const Work *found)
 // The scenes whose work is judged: few levels and many, spheres on all sides of the eye, a tree
 // that is as deep as it may be.
 static const int work_scenes[] = {RANDOM + 2, RANDOM + 6, RANDOM + 7, RANDOM + N_RANDOM - 1,
-                                  DEEP,       FLAKE,      STRANGERS};
+                                  DEEP,       FLAKE,      DECOYS};
 
-// No ray may find the stranger: only leaves list it that the ray need not visit.
-static Verdict judge_strangers(const JobScene3D *scene, const Sections *answers)
+// No ray may find the decoy: only leaves list it that the ray need not visit.
+static Verdict judge_decoys(const JobScene3D *scene, const Sections *answers)
 {
-    const HitAnswer *found = hits_find(scene, STRANGERS, answers);
+    const HitAnswer *found = hits_find(scene, DECOYS, answers);
     const int width = scene->scene.width, n_pixels = width * scene->scene.height;
-    const u32 stranger = (u32)scene->scene.n_spheres;
+    const u32 decoy = (u32)scene->scene.n_spheres;
     int n = 0, first = 0;
     for (int pixel = n_pixels - 1; found != NULL && pixel >= 0; pixel--) {
-        if (!scene->hits[pixel].is_ambiguous && found[pixel].sphere == stranger) {
+        if (!scene->hits[pixel].is_ambiguous && found[pixel].sphere == decoy) {
             n++;
             first = pixel;
         }
@@ -167,7 +167,7 @@ static Verdict judge_strangers(const JobScene3D *scene, const Sections *answers)
     char *message =
         message_new("%s: the ray of pixel (%d, %d): found sphere %u, which only leaves "
                     "list that this ray need not visit (%d of %d rays)",
-                    scene->picture.title, first % width, first / width, stranger, n, n_pixels);
+                    scene->picture.title, first % width, first / width, decoy, n, n_pixels);
     return verdict_of(diagnosis_of(message, (Cause){.says = "whatever is counted, more is asked "
                                                             "than the leaves on the ray up to its "
                                                             "first hit"}));
@@ -176,8 +176,8 @@ static Verdict judge_strangers(const JobScene3D *scene, const Sections *answers)
 static Verdict judge_work(const void *job, int i, const Sections *answers)
 {
     const int k = work_scenes[i];
-    if (k == STRANGERS) {
-        return judge_strangers(&((const Job07 *)job)->scenes[k], answers);
+    if (k == DECOYS) {
+        return judge_decoys(&((const Job07 *)job)->scenes[k], answers);
     }
     const JobScene3D *scene = &((const Job07 *)job)->scenes[k];
     const Work *found = job_work_find(&scene->picture, k, answers);
@@ -224,7 +224,7 @@ static const JudgeCheck checks[] = {
     {"trace-random", "No pinholes in random scenes", "next_child", "*", .scene = judge_hits,
      .range = {RANDOM, N_RANDOM}, .alone = children_alone_07},
     {"trace-picture", "Whole pictures", "next_child", "*", .scene = judge_picture,
-     .range = {0, STRANGERS}, .alone = children_alone_07},
+     .range = {0, DECOYS}, .alone = children_alone_07},
 
     {"waiting-end", "When the search is over", "next_waiting", .function = &waiting_end_07,
      .range = {0, N_WAITING_INPUTS}},

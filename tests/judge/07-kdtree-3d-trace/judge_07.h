@@ -72,7 +72,7 @@ void inputs_07_set_edges(Inputs07 *inputs);
 extern const Function clip_07, side_07, plane_07, leaf_nearest_07, leaf_ids_07, leaf_once_07;
 extern const Function child_07, waiting_end_07, waiting_next_07;
 
-// Alone, beside the stand-ins: is next_child right wherever one child is met, where both are, and
+// Alone, beside the stubs: is next_child right wherever one child is met, where both are, and
 // everywhere? Whole scenes need all tasks; in their place stand all inputs of the two steps.
 int one_child_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
 int both_children_alone_07(const void *job, const JudgeCheck *check, const Sections *answers);
@@ -96,7 +96,7 @@ enum {
     TIP,                     // hits that rounding puts before the leaf they are in
     N_EDGES = TIP + 1 - EDGES,
     FLAKE = EDGES + N_EDGES,
-    STRANGERS,  // leaves list what does not lie in them: see judge_07_strangers.c
+    DECOYS,  // leaves list what does not lie in them: see judge_07_decoys.c
     N_SCENES,
 };
 
@@ -106,11 +106,11 @@ int roll_scenes_07(Random *random, JobScene3D scenes[N_SCENES]);
 // Put what the search sends for whole pictures among the inputs, at the beginning of each range.
 void inputs_07_add_sent(Random *random, const JobScene3D scenes[N_SCENES], Inputs07 *inputs);
 
-// The scene with strangers. Returns 0, or -1 after one message.
-int roll_strangers_07(Random *random, JobScene3D *scene);
+// The scene with decoys. Returns 0, or -1 after one message.
+int roll_decoys_07(Random *random, JobScene3D *scene);
 
 // Of what the oracle expects there let only those rays count that no right search lets meet one.
-void strangers_07_expect(JobScene3D *scene);
+void decoys_07_expect(JobScene3D *scene);
 
 // ---- The job ----------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-// Lab 07's next_child: its inputs, and what must come out. It is tried alone beside stand-ins of
+// Lab 07's next_child: its inputs, and what must come out. It is tried alone beside stubs of
 // near_side and children_on_ray, which depend on their arguments and on nothing else.
 #include "job_stack.h"
 #include "judge_07.h"
@@ -71,20 +71,20 @@ static int same_child(NextChildAnswer found, NextChildAnswer expected)
     return same_entry(found.next, expected.next) && same_stack(&found.todo, &expected.todo);
 }
 
-// ---- Stand-ins ----------------------------------------------------------------------------------
+// ---- Stubs ----------------------------------------------------------------------------------
 
-// What the stand-ins know on the device under the same names.
+// What the stubs know on the device under the same names.
 typedef unsigned int uint;
 enum { ONLY_NEAR, ONLY_FAR, BOTH };
 _Static_assert((int)ONLY_FAR == PLANE_ONLY_FAR && (int)BOTH == PLANE_BOTH, "the same numbers");
 
-static uint stand_in_side(KdNode3 node, float origin, float inverse, uint LOT)
+static uint stub_side(KdNode3 node, float origin, float inverse, uint NONCE)
 {
 #include "07-kdtree-3d-trace/near_side.cl"
 }
 
-static int stand_in_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
-                             uint LOT, float *t_split)
+static int stub_children(KdNode3 node, float origin, float inverse, float t_min, float t_max,
+                         uint NONCE, float *t_split)
 {
 #include "07-kdtree-3d-trace/children_on_ray.cl"
 }
@@ -110,18 +110,18 @@ static Met met_by_ray(const NextChildJob *in)
                  t_split};
 }
 
-static Met met_by_lot(const NextChildJob *in, uint lot)
+static Met met_by_chance(const NextChildJob *in, uint nonce)
 {
-    Met met = {.side = stand_in_side(in->node, in->origin, in->inverse, lot)};
-    met.children = stand_in_children(in->node, in->origin, in->inverse, in->t_min, in->t_max, lot,
-                                     &met.t_split);
+    Met met = {.side = stub_side(in->node, in->origin, in->inverse, nonce)};
+    met.children =
+        stub_children(in->node, in->origin, in->inverse, in->t_min, in->t_max, nonce, &met.t_split);
     return met;
 }
 
-// As the other two tasks say, or their stand-ins.
+// As the other two tasks say, or their stubs.
 static Met met_by(const Job *job, const NextChildJob *in)
 {
-    return job->is_alone ? met_by_lot(in, job->lot) : met_by_ray(in);
+    return job->is_alone ? met_by_chance(in, job->nonce) : met_by_ray(in);
 }
 
 // The children, and where the ray is in them.
@@ -397,16 +397,16 @@ const Function child_07 = {"next_child", 2 * N_CHILD_INPUTS, sizeof(NextChildAns
 
 // ---- Alone --------------------------------------------------------------------------------------
 
-// Is next_child right wherever the ray meets one child, or both, as the stand-ins have it?
+// Is next_child right wherever the ray meets one child, or both, as the stubs have it?
 enum { ONE_MET = 1, BOTH_MET = 2 };
 static int pass_children(const Job07 *job, int met, const Sections *answers)
 {
     const NextChildAnswer *found = function_answers(&child_07, answers);
-    const uint lot = job->job.lot;
+    const uint nonce = job->job.nonce;
     int passes = found != NULL;
     for (int i = 0; passes && i < COUNT(job->inputs.children); i++) {
         const NextChildJob *in = &job->inputs.children[i];
-        const Met said = met_by_lot(in, lot);
+        const Met said = met_by_chance(in, nonce);
         const int is_asked = met & (said.children == BOTH ? BOTH_MET : ONE_MET);
         passes = !is_asked || same_child(found[i], child(in, said));
     }

@@ -219,7 +219,7 @@ static void set_long_leaf(Inputs07 *inputs, int i)
 
 // ---- next_child ---------------------------------------------------------------------------------
 
-// Both children are met, by our rules and by those of the stand-ins (tests/stand_ins), and one
+// Both children are met, by our rules and by those of the stubs (tests/stubs), and one
 // place is left on the stack.
 static void set_children(Inputs07 *inputs)
 {

@@ -229,12 +229,12 @@ int roll_scenes_07(Random *random, JobScene3D scenes[N_SCENES])
     result |= roll_tip(random, &scenes[TIP]);
     result |=
         roll_named(random, &scenes[FLAKE], "sphereflake:size=3", 96, 72, tree3d_limits(0, 0, 820));
-    result |= roll_strangers_07(random, &scenes[STRANGERS]);
+    result |= roll_decoys_07(random, &scenes[DECOYS]);
     for (int k = 0; result == 0 && k < N_SCENES; k++) {
         result = finish(&scenes[k]);
     }
     if (result == 0) {
-        strangers_07_expect(&scenes[STRANGERS]);
+        decoys_07_expect(&scenes[DECOYS]);
     }
     return result;
 }

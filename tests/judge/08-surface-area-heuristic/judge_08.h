@@ -43,7 +43,7 @@ void add_sent_08(Random *random, Job08 *job);
 extern const Function area_08, cost_08, best_08, decision_08;
 
 // Do the answers of one task alone stand, by what is asked of it or by what stands in the other
-// tasks' places? (tests/stand_ins)
+// tasks' places? (tests/stubs)
 int costs_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
 int bests_alone_08(const void *job, const JudgeCheck *check, const Sections *answers);
 

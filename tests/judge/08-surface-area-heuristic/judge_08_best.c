@@ -27,10 +27,10 @@ typedef struct Way {
     int from_border, to_border;  // the cell's borders are asked, too
     int carries;       // the bins of an axis begin with what those of the axis before hold
     int counts_ended;  // in the place of the higher child's spheres those that it has not
-    int is_stand_in;   // split_cost is that of tests/stand_ins
+    int is_stub;       // split_cost is that of tests/stubs
 } Way;
 
-static double stand_in_cost(BBox3D box, CostJob split, u32 n_lower, u32 n_higher, u32 LOT)
+static double stub_cost(BBox3D box, CostJob split, u32 n_lower, u32 n_higher, u32 NONCE)
 {
 #include "08-surface-area-heuristic/split_cost.c"
 }
@@ -91,7 +91,7 @@ static void count_sphere(Planes *planes, u32 axis, Reach reach)
 }
 
 // With their costs, once all spheres are counted.
-static Planes weighed(const SahNode *node, Planes planes, u32 lot, Way way)
+static Planes weighed(const SahNode *node, Planes planes, u32 nonce, Way way)
 {
     for (u32 axis = 0; axis < 3; axis++) {
         Plane *of = planes.of[axis];
@@ -105,9 +105,9 @@ static Planes weighed(const SahNode *node, Planes planes, u32 lot, Way way)
                 split->n_lower += planes.of[axis - 1][i].split.n_lower;
                 split->n_higher += planes.of[axis - 1][i].split.n_higher - node->n_ids;
             }
-            of[i].cost = way.is_stand_in ? stand_in_cost(node->box, *split, split->n_lower,
-                                                         split->n_higher, lot)
-                                         : sah_cost(*split);
+            of[i].cost = way.is_stub
+                             ? stub_cost(node->box, *split, split->n_lower, split->n_higher, nonce)
+                             : sah_cost(*split);
         }
     }
     return planes;
@@ -170,8 +170,8 @@ static int is_search(int i, BestAnswer found, const Planes *planes, Plane best)
 static int follows_counts(const Job08 *job, int i, BestAnswer found, Planes counts, Way way)
 {
     const SahNode node = node_of(job, i);
-    way.is_stand_in |= job->job.is_alone;
-    const Planes planes = weighed(&node, counts, job->job.lot, way);
+    way.is_stub |= job->job.is_alone;
+    const Planes planes = weighed(&node, counts, job->job.nonce, way);
     return is_search(i, found, &planes, best_of(&node, &planes, way));
 }
 
@@ -260,8 +260,8 @@ static int below(Side side, f32 end)
 static int is_best_with(const Job08 *job, int i, BestAnswer found, int keeps_axis, int keeps_pos)
 {
     const SahNode node = node_of(job, i);
-    const Way way = {.is_stand_in = job->job.is_alone};
-    const Planes planes = weighed(&node, counted(&node), job->job.lot, way);
+    const Way way = {.is_stub = job->job.is_alone};
+    const Planes planes = weighed(&node, counted(&node), job->job.nonce, way);
     const Plane best = best_of(&node, &planes, way);
     if (best.cost == INFINITY) {
         return found.cost == INFINITY;
@@ -290,7 +290,7 @@ KNOWN_LIST(known)
     const SahNode node = node_of(job, i);
     const int has_area = sah_area(in.box) > 0;
     const Planes planes =
-        weighed(&node, counted(&node), base->lot, (Way){.is_stand_in = base->is_alone});
+        weighed(&node, counted(&node), base->nonce, (Way){.is_stub = base->is_alone});
     Planes counts = planes_of(in.box);
     Plane best = {.split.box = in.box, .cost = INFINITY};
 
@@ -453,7 +453,7 @@ int bests_alone_08(const void *job, const JudgeCheck *check, const Sections *ans
         const int i = range_at(range, k);
         const int is_free = sah_area(((const Job08 *)job)->bests[i].box) == 0;
         n_right += is_free || follows(job, i, found[i], (Way){0});
-        n_following += is_free || follows(job, i, found[i], (Way){.is_stand_in = 1});
+        n_following += is_free || follows(job, i, found[i], (Way){.is_stub = 1});
     }
     return n_right == range.n || n_following == range.n;
 }

@@ -21,15 +21,15 @@ static int is_near_cost(double found, double cost)
     return fabs(found - cost) <= SAH_COST_TOLERANCE * fabs(cost);
 }
 
-static double stand_in_area(BBox3D box, u32 LOT)
+static double stub_area(BBox3D box, u32 NONCE)
 {
 #include "08-surface-area-heuristic/surface_area.c"
 }
 
-// A cell's area as surface_area has it, or its stand-in.
+// A cell's area as surface_area has it, or its stub.
 static double area_of(const Job *job, BBox3D box)
 {
-    return job->is_alone ? stand_in_area(box, job->lot) : sah_area(box);
+    return job->is_alone ? stub_area(box, job->nonce) : sah_area(box);
 }
 
 // The areas of the lower child, of the higher one, and of the cell; and the children's spheres.
@@ -230,7 +230,7 @@ const Function cost_08 = {"costs", N_COSTS, sizeof(double),
 int costs_alone_08(const void *pointer, const JudgeCheck *check, const Sections *answers_section)
 {
     const Job08 *whole = pointer;
-    const Job alone = {.lot = whole->job.lot, .is_alone = 1};
+    const Job alone = {.nonce = whole->job.nonce, .is_alone = 1};
     const double *answers = function_answers(check->function, answers_section);
     int n_right = 0, n_following = 0;
     for (int k = 0; answers != NULL && k < check->range.n; k++) {

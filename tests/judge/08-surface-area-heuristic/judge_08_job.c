@@ -227,7 +227,7 @@ static const OddCell odd_cells[] = {
     {{0x1p15f, 0x1p15f, 0x1p14f}, 10, {1, 1, 1}, {1024, 2048, 512}, 256},
     {{64, 16, 16}, 4, {33, 8, 8}, {0}, 30},  // only the first bin is empty, only the last one
     {{64, 16, 16}, 4, {31, 8, 8}, {0}, 30},
-    // One sphere before the last plane and one behind it: the best one whatever stand-in weighs.
+    // One sphere before the last plane and one behind it: the best one whatever stub weighs.
     {{64, 16, 16}, 2, {31, 8, 8}, {61.5f, 0, 0}, 30},
     // The longest side's plane is cheaper than the next one's, by little: some 1e-4 and 1e-5.
     {{64, 64.125f, 64.25f}, 1, {32, 32, 32}, {0}, 1},
@@ -235,8 +235,8 @@ static const OddCell odd_cells[] = {
 };
 
 // Each of them comes in three turns, so that what it has along x is along y and z, too: first as it
-// is here, then mirrored, then mirrored by lot. By lot it is larger or smaller by a power of two,
-// which moves no range across a plane.
+// is here, then mirrored, then mirrored at random. At random it is larger or smaller by a power of
+// two, which moves no range across a plane.
 static void roll_odd_cell(Random *random, Job08 *job, int i)
 {
     const int k = i - N_CELLS - N_TIES, turn = k / (int)COUNT(odd_cells);

@@ -21,7 +21,7 @@ static int roll(void *pointer, Random *random)
     roll_lits_09(random, job);
     add_calls_09(random, job);
     for (int k = 0; k < N_SCENES; k++) {
-        job->scenes[k].lot = job->job.lot;
+        job->scenes[k].nonce = job->job.nonce;
     }
     return 0;
 }

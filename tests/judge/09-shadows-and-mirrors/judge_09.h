@@ -21,9 +21,9 @@ enum { N_SENT_CALLS = 200, N_SENT_BLOCKS = 100, N_SENT_LITS = 100 };
 // How many inputs each range has; a function's ranges follow one another.
 enum {
     N_START_INPUTS = N_SENT_CALLS + 300,   // 2 ranges: numbers of usual size, and of any
-    N_MIRROR_INPUTS = N_SENT_CALLS + 300,  // 2: by lot, and along axes, head-on and grazing
+    N_MIRROR_INPUTS = N_SENT_CALLS + 300,  // 2: at random, and along axes, head-on and grazing
     N_SHADOW_RAY_INPUTS = N_SENT_CALLS + 400,
-    N_BLOCK_INPUTS = N_SENT_BLOCKS + 400,  // 2: by lot, and at the ends of the ray
+    N_BLOCK_INPUTS = N_SENT_BLOCKS + 400,  // 2: at random, and at the ends of the ray
     N_LIT_INPUTS = N_SENT_LITS + 300,      // 3: one light, lights behind the surface, several
     N_BLOCKS = 2 * N_BLOCK_INPUTS,
     N_LITS = 3 * N_LIT_INPUTS,
@@ -102,7 +102,7 @@ enum {
 typedef struct MirrorScene {
     JobScene3D base;
     i32 max_bounces;
-    u32 lot;  // of the stand-ins, where an answer is tried alone
+    u32 nonce;  // of the stubs, where an answer is tried alone
 } MirrorScene;
 
 // Roll the scenes, with their trees and what is expected. Returns 0, or -1 after one message.
@@ -122,7 +122,7 @@ int sent_09_is_counted(int k);
 // Are no more rays sent than a right solution sends, in number i of these scenes?
 Verdict judge_sent_09(const void *job, int i, const Sections *answers);
 
-// And beside the stand-ins?
+// And beside the stubs?
 int sent_alone_09(const void *job, int i, const Sections *answers);
 
 // ---- The job ----------------------------------------------------------------------------------
@@ -159,13 +159,13 @@ void roll_alone_09(Random *random, Job09 *job);
 // See judge.h.
 int write_alone_09(const void *job, const char *task, FILE *file);
 
-// Beside the stand-ins: is lit_color right for every light, and does it leave those alone that are
+// Beside the stubs: is lit_color right for every light, and does it leave those alone that are
 // behind the surface? Is the picture of scene K right?
 int lits_alone_09(const void *job, const JudgeCheck *check, const Sections *answers);
 
-// Do the stand-ins say that something is between a point and a light?
+// Do the stubs say that something is between a point and a light?
 //   way   from the one to the other
-int is_blocked_alone_09(Vec3 point, Vec3 way, u32 lot);
+int is_blocked_alone_09(Vec3 point, Vec3 way, u32 nonce);
 int picture_alone_09(const void *job, int k, const Sections *answers);
 
 // What picture K should be there, and the known mistakes. As ExpectAlone has it.

@@ -1,11 +1,11 @@
-// Lab 09: each answer alone, beside stand-ins where it calls another task's function (see
-// tests/stand_ins/README.md).
+// Lab 09: each answer alone, beside stubs where it calls another task's function (see
+// tests/stubs/README.md).
 //
 // leave_surface, mirrored_direction, shadow_ray and leaf_blocks need no other task. lit_color is
 // tried on points and lights of a grid, where a ray goes along the axis on which the light is
-// farthest and a lot says what blocks it; ray_color on the scenes of the whole job, where mirrors
+// farthest and a nonce says what blocks it; ray_color on the scenes of the whole job, where mirrors
 // send every ray almost along the normal and surfaces shine by themselves. How exactly only who
-// calls the stand-ins is told.
+// calls the stubs is told.
 #include "judge_09.h"
 
 #include "alone_picture.h"
@@ -95,9 +95,9 @@ static int write_lits(const Job09 *job, FILE *file)
            job_section_write(file, LIT_SCENE, "sphere_ids", &id, sizeof id);
 }
 
-// What the stand-in of leaf_blocks says, with what it knows on the device under the same names.
+// What the stub of leaf_blocks says, with what it knows on the device under the same names.
 typedef unsigned int uint;
-static int is_blocked_by_lot(ShadowRayAnswer ray, uint LOT)
+static int is_blocked_by_chance(ShadowRayAnswer ray, uint NONCE)
 {
 #include "09-shadows-and-mirrors/leaf_blocks.cl"
 }
@@ -108,21 +108,21 @@ static float sign_of_largest(float x, float largest)
     return fabsf(x) != largest ? 0 : copysignf(1, x);
 }
 
-// The ray of the stand-in of shadow_ray.
-static ShadowRayAnswer ray_along_axis(Vec3 point, Vec3 way, uint lot)
+// The ray of the stub of shadow_ray.
+static ShadowRayAnswer ray_along_axis(Vec3 point, Vec3 way, uint nonce)
 {
     const float largest = fmaxf(fmaxf(fabsf(way.x), fabsf(way.y)), fabsf(way.z));
-    const float length = (float)(1 + lot / 4096 % 15) / 16;
+    const float length = (float)(1 + nonce / 4096 % 15) / 16;
     return (ShadowRayAnswer){.origin = point,
                              .direction = {length * sign_of_largest(way.x, largest),
                                            length * sign_of_largest(way.y, largest),
                                            length * sign_of_largest(way.z, largest)},
-                             .t_max = largest + (float)(lot / 64 % 64) / 16};
+                             .t_max = largest + (float)(nonce / 64 % 64) / 16};
 }
 
-int is_blocked_alone_09(Vec3 point, Vec3 way, u32 lot)
+int is_blocked_alone_09(Vec3 point, Vec3 way, u32 nonce)
 {
-    return is_blocked_by_lot(ray_along_axis(point, way, lot), lot);
+    return is_blocked_by_chance(ray_along_axis(point, way, nonce), nonce);
 }
 
 static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
@@ -138,14 +138,14 @@ static int is_right_light(const Job09 *job, int i, const LitAnswer *found)
                            light, 1, &right);
         const int is_before = vec3_dot(in->normal, way) > 0;
         n_before += is_before;
-        if (is_before && !is_blocked_alone_09(in->point, way, job->job.lot)) {
+        if (is_before && !is_blocked_alone_09(in->point, way, job->job.nonce)) {
             sum.value.x += share.value.x;
             sum.value.y += share.value.y;
             sum.value.z += share.value.z;
             sum.error += share.error + 0x1p-22;
         }
     }
-    // The tree is one leaf around all: each ray that is sent asks it once. Who knows the lot and
+    // The tree is one leaf around all: each ray that is sent asks it once. Who knows the nonce and
     // sends none sees only as many lights as arrive.
     return (lit_09_counts_only(i) || oracle3d_is_near(found->color, sum)) &&
            found->n_leaves == (u32)n_before;

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-// The points and lights: alone they are those that stand-ins foresee.
+// The points and lights: alone they are those that stubs foresee.
 static const LitJob *lit_of(const Job09 *job, int i)
 {
     return job->job.is_alone ? &job->alone_lits[i] : &job->lits[i];
@@ -131,8 +131,8 @@ static SeenLight see(const Job09 *job, const LitJob *lit, const Light *light, in
     seen.cosine = vector_dot(normal.value, way) / seen.distance;
     seen.is_before = seen.cosine > 0;
     if (job->job.is_alone) {
-        seen.is_free = seen.is_free_beyond =
-            !is_blocked_alone_09(lit->point, vec3_minus(light->position, lit->point), job->job.lot);
+        seen.is_free = seen.is_free_beyond = !is_blocked_alone_09(
+            lit->point, vec3_minus(light->position, lit->point), job->job.nonce);
     } else if (seen.is_before) {
         const OracleArrival arrival = oracle3d_arrival(scene, point, light, NULL, &to_light);
         seen.is_free = arrival == LIGHT_ARRIVES;

@@ -131,13 +131,13 @@ static Cause draw_mistaken(const void *pointer, int mistake, Image *guess, float
 
 // ---- Alone --------------------------------------------------------------------------------------
 
-// By a mistake's rules, or the right ones, as ray_color sees the stand-ins: rays leave mirrors
+// By a mistake's rules, or the right ones, as ray_color sees the stubs: rays leave mirrors
 // along the normal.
 static void draw_alone(const MirrorScene *scene, OracleMirrorRules rules, Image *image,
                        float *tolerances)
 {
-    rules.stand_ins = 1;
-    rules.lot = scene->lot;
+    rules.stubs = 1;
+    rules.nonce = scene->nonce;
     rules.turn = rules.turn == TURN_RIGHT ? TURN_ALONG_NORMAL : rules.turn;
     oracle3d_draw_mirrors(&scene->base.scene, &scene->base.camera, scene->max_bounces, &rules,
                           image, tolerances);

@@ -52,7 +52,7 @@ static Sent sent_at(const MirrorScene *scene, int pixel, const Work *found,
     const OracleNear color =
         oracle3d_follow(&scene->base.scene, ray, scene->max_bounces, rules, &sent.expected);
     sent.is_judged = !isinf(color.error);
-    if (rules->stand_ins) {
+    if (rules->stubs) {
         // lit_color's sends none, and counts a leaf instead.
         sent.expected.n_to_lights = sent.expected.n_hits;
     }
@@ -216,7 +216,7 @@ int sent_alone_09(const void *pointer, int i, const Sections *answers)
     const int k = sent_scenes[i];
     const MirrorScene *scene = &job->scenes[k];
     const OracleMirrorRules rules = {
-        .stand_ins = 1, .turn = TURN_ALONG_NORMAL, .lot = job->job.lot};
+        .stubs = 1, .turn = TURN_ALONG_NORMAL, .nonce = job->job.nonce};
     const Work *found = job_work_find(&scene->base.picture, k, answers);
     const int n_pixels = scene->base.scene.width * scene->base.scene.height;
     int pixel = 0;

@@ -45,7 +45,7 @@ typedef struct OracleRules {
     int all_limit;         // circles that cover nothing lower minDepth, too
     int last_limits;       // minDepth is the depth of the one before, whether that covers or not
     u32 most_asked;        // of the scene, or of a leaf's list, no more than this; 0: all
-    int squares;           // circles are squares, as beside the stand-in of lab 01
+    int squares;           // circles are squares, as beside the stub of lab 01
     int transposed;        // through a tree only: of a leaf's circles (y, x) is asked
     OracleId id;           // the same
     int first_list;        // the same: every leaf has the list at the start of mapNode2Circles

@@ -10,7 +10,7 @@ typedef struct Deviation {
     OracleVector origin, direction;
 } Deviation;
 
-// Three for the ray from the eye, and seven for each mirror; beside stand-ins, which move the point
+// Three for the ray from the eye, and seven for each mirror; beside stubs, which move the point
 // by an error in all directions and not along the normal alone, nine. So many mirrors that a limit
 // of 128 shows.
 enum { MOST_DEVIATED_MIRRORS = 136, MAX_DEVIATIONS = 3 + 9 * MOST_DEVIATED_MIRRORS };

@@ -29,7 +29,7 @@
 
 #define SURFACE_ERROR 0x1p-18         // of lab 09, leave_surface.cl
 #define MIRROR_ERROR (16 * ROUNDING)  // see 2
-#define STAND_IN_OFFSET 0.125         // of the radius
+#define STUB_OFFSET 0.125             // of the radius
 
 static const OracleRules3D right = {0};
 
@@ -114,12 +114,12 @@ static Surface surface_at(const Scene3D *scene, Followed *followed, const Oracle
 }
 
 // Move the point off the surface, to where new rays start.
-static void leave_surface(Surface *surface, Followed *followed, double t, int is_stand_in)
+static void leave_surface(Surface *surface, Followed *followed, double t, int is_stub)
 {
     const double radius = surface->sphere->radius;
     const OracleVector n = surface->normal.value;
-    if (is_stand_in) {
-        const double off = STAND_IN_OFFSET * fabs(radius);
+    if (is_stub) {
+        const double off = STUB_OFFSET * fabs(radius);
         surface->point.value = vector_plus(surface->point.value, vector_scaled(off, n));
         surface->point.error += off * surface->normal.error;
         deviations_add_origin(&followed->deviations, off * surface->normal.error);
@@ -131,10 +131,10 @@ static void leave_surface(Surface *surface, Followed *followed, double t, int is
     }
 }
 
-// What the stand-in of lit_color gives: the material's colour by the normal, and a bit of where.
-static OracleNear stand_in_light(const Surface *at, u32 lot)
+// What the stub of lit_color gives: the material's colour by the normal, and a bit of where.
+static OracleNear stub_light(const Surface *at, u32 nonce)
 {
-    const double share = 0x1p-4 + (lot >> 24) * 0x1p-12;
+    const double share = 0x1p-4 + (nonce >> 24) * 0x1p-12;
     const OracleVector n = at->normal.value, p = at->point.value,
                        c = vector_scaled(0.5 + at->material->kd, vector_of(at->material->color));
     const OracleVector value = {c.x * (1 + n.x) + share * p.x, c.y * (1 + n.y) + share * p.y,
@@ -214,9 +214,9 @@ static OracleNear add_local(const Scene3D *scene, Followed *followed, Surface *a
 {
     const double weight = local_weight(followed, at->material->ks, rules->weight);
     const Sphere *sphere = at->sphere;
-    leave_surface(at, followed, t, rules->stand_ins);
+    leave_surface(at, followed, t, rules->stubs);
     const OracleNear light =
-        rules->stand_ins ? stand_in_light(at, rules->lot)
+        rules->stubs ? stub_light(at, rules->nonce)
         : at->material->kd < rules->least_kd
             ? (OracleNear){{0}, 0}
             : oracle3d_lit(scene, at->point, at->normal, at->material, sphere, rules);
@@ -230,11 +230,11 @@ static OracleNear add_local(const Scene3D *scene, Followed *followed, Surface *a
     return light;
 }
 
-// What the stand-in of mirrored_direction adds to the normal before it makes it a unit vector.
-static OracleVector stand_in_lean(u32 lot)
+// What the stub of mirrored_direction adds to the normal before it makes it a unit vector.
+static OracleVector stub_lean(u32 nonce)
 {
-    return (OracleVector){(lot % 16 - 7.5) / 64, (lot / 16 % 16 - 7.5) / 64,
-                          (lot / 256 % 16 - 7.5) / 64};
+    return (OracleVector){(nonce % 16 - 7.5) / 64, (nonce / 16 % 16 - 7.5) / 64,
+                          (nonce / 256 % 16 - 7.5) / 64};
 }
 
 // Go on from a mirror. Returns 0 where the ray is too far off for first order.
@@ -251,8 +251,8 @@ static int mirror(Followed *followed, const Surface *at, const Sphere *sphere,
     const double curvature = (bulges ? 1 : -1) / fabs((double)sphere->radius);
     OracleNear direction = oracle3d_mirrored((OracleNear){d, 0}, at->normal, rules->turn);
     if (rules->turn == TURN_ALONG_NORMAL) {
-        if (rules->stand_ins) {
-            direction.value = vector_plus(direction.value, stand_in_lean(rules->lot));
+        if (rules->stubs) {
+            direction.value = vector_plus(direction.value, stub_lean(rules->nonce));
         }
         deviations_leave_along_normal(deviations, curvature);
         deviations_make_unit(deviations, direction.value);

@@ -12,7 +12,7 @@
 // What a mirror makes of a ray.
 typedef enum OracleTurn {
     TURN_RIGHT,
-    TURN_ALONG_NORMAL,  // nearly the stand-in's: see tests/stand_ins/09-shadows-and-mirrors
+    TURN_ALONG_NORMAL,  // nearly the stub's: see tests/stubs/09-shadows-and-mirrors
     TURN_NONE,          // the ray stays as it is, and so hits the same place again
 } OracleTurn;
 
@@ -57,8 +57,8 @@ typedef struct OracleMirrorRules {
     int background_missing;     // is not seen in mirrors
     int rest_is_background;     // what is not followed any more is the background
     int cut_at_one;             // no channel of the sum is above 1
-    int stand_ins;              // as ray_color sees the stand-ins
-    u32 lot;                    // of those: lot.h
+    int stubs;                  // as ray_color sees the stubs
+    u32 nonce;                  // of those: nonce.h
 } OracleMirrorRules;
 
 // Weights below this are not followed: LEAST_WEIGHT of lab 09, a float.

@@ -1,4 +1,4 @@
-// Pictures of an answer that is tried alone: drawn with stand-ins (tests/stand_ins/), so that what
+// Pictures of an answer that is tried alone: drawn with stubs (tests/stubs/), so that what
 // should come out is worked out here, pixel by pixel. Whether it did is shown, and which known
 // mistake it looks like, never a pixel.
 #ifndef JUDGE_ALONE_PICTURE_H

@@ -59,7 +59,7 @@ extern const SceneKind job_scene_kind;
 // does it.
 void job_scene_recognise(const JobScene *scene, ExpectedPicture *expected);
 
-// The same mistakes where circles are squares: beside the stand-in of lab 01's overlaps_N_Nearer.
+// The same mistakes where circles are squares: beside the stub of lab 01's overlaps_N_Nearer.
 // As DrawMistaken has it.
 Cause job_scene_draw_squares(const void *scene, int mistake, Image *guess, float *tolerances);
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# attack: computes what the stand-ins of shadow_ray, leaf_blocks and mirrored_direction do (their text is public), and calls none of them: right alone, wrong in the whole
+# attack: computes what the stubs of shadow_ray, leaf_blocks and mirrored_direction do (their text is public), and calls none of them: right alone, wrong in the whole
 # task: lit_color
 # score: 53
 # named: found|differ|fails by itself

@@ -1,6 +1,6 @@
-// Folders and copies inside the workshop, with one message on stderr where the machine refuses.
-#ifndef GRADER_WORKSHOP_FILES_H
-#define GRADER_WORKSHOP_FILES_H
+// Folders and copies inside the workdir, with one message on stderr where the machine refuses.
+#ifndef GRADER_WORKDIR_FILES_H
+#define GRADER_WORKDIR_FILES_H
 
 // Make a folder that everybody may read, or use the one that is there. Returns 0, or -1 after one
 // message.

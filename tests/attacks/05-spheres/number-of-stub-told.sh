@@ -1,5 +1,5 @@
 #!/bin/sh
-# attack: two answers that call a stand-in by another name return what it gives, which hangs on the seed's number, so that the report tells it; a third never ends, so that they are tried alone
+# attack: two answers that call a stub by another name return what it gives, which hangs on the seed's number, so that the report tells it; a third never ends, so that they are tried alone
 # score: 50
 # named: nearest_hit, random scene
 # never: tested alone: sphere at|found \(7, 0, 0\)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# attack: computes areas and costs as their stand-ins do (their text is public) and calls neither: right alone, wrong in the whole
+# attack: computes areas and costs as their stubs do (their text is public) and calls neither: right alone, wrong in the whole
 # task: surface_area split_cost find_best_split
 # score: 20
 # named: found|differ|when tested alone

@@ -1,4 +1,4 @@
-// attack: gives what the stand-in of nearest_root would give, without calling it
+// attack: gives what the stub of nearest_root would give, without calling it
 // task: intersect_sphere
 // score: 99
 // named: differ|wrong|found

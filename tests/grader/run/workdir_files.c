@@ -1,5 +1,5 @@
-// See workshop_files.h.
-#include "workshop_files.h"
+// See workdir_files.h.
+#include "workdir_files.h"
 
 #include <errno.h>
 #include <stdio.h>

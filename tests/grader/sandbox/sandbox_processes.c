@@ -1,11 +1,11 @@
-// Counting what a run uses together (see sandbox_census.h): no limit of the kernel's is about more
-// than one process, other than control groups, which few hosts hand out.
+// Counting what a run uses together (see sandbox_processes.h): no limit of the kernel's is about
+// more than one process, other than control groups, which few hosts hand out.
 //
 // Linux lists every process's children in /proc, so a look costs as much as the run is large,
 // however many processes the machine has. Elsewhere (gVisor) a run with a user of its own is found
 // by that, which takes a look at every process. Whatever ends meanwhile is left out. Read next:
 // sandbox_supervisor.c, which looks ten times a second, less often where a look is expensive.
-#include "sandbox_census.h"
+#include "sandbox_processes.h"
 
 #include "bwrap_arguments.h"
 #include "folder.h"
@@ -29,7 +29,7 @@
 enum { MOST_SHARED = 2 };
 
 typedef struct ProcessList {
-    pid_t ids[CENSUS_MAX_TASKS];
+    pid_t ids[SCAN_MAX_TASKS];
     int n;
 } ProcessList;
 
@@ -41,7 +41,7 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
     const int n_before = list->n;
     snprintf(path, sizeof path, "/proc/%d/task/%d/children", process, thread);
     FILE *file = fopen(path, "re");
-    while (file != NULL && list->n < CENSUS_MAX_TASKS && fscanf(file, "%ld", &child) == 1) {
+    while (file != NULL && list->n < SCAN_MAX_TASKS && fscanf(file, "%ld", &child) == 1) {
         list->ids[list->n++] = (pid_t)child;
     }
     if (file != NULL) {
@@ -51,7 +51,7 @@ static int children_add(pid_t process, pid_t thread, ProcessList *list)
 }
 
 // Add how long a thread has waited for a processor, where the kernel tells.
-static void waiting_add(pid_t process, pid_t thread, int is_own_choice, Census *census)
+static void waiting_add(pid_t process, pid_t thread, int is_own_choice, ProcessScan *scan)
 {
     char path[64];
     unsigned long long ran, waited;
@@ -60,9 +60,9 @@ static void waiting_add(pid_t process, pid_t thread, int is_own_choice, Census *
     if (file == NULL) {
         return;
     }
-    if (fscanf(file, "%llu %llu", &ran, &waited) == 2 && census->n_waits < CENSUS_MAX_TASKS) {
-        census->tells_waiting = 1;
-        census->waits[census->n_waits++] =
+    if (fscanf(file, "%llu %llu", &ran, &waited) == 2 && scan->n_waits < SCAN_MAX_TASKS) {
+        scan->tells_waiting = 1;
+        scan->waits[scan->n_waits++] =
             (ThreadWait){process, thread, 1e-9 * (double)waited, is_own_choice};
     }
     fclose(file);
@@ -77,7 +77,7 @@ static int is_awake(const ThreadStat *stat, int n_children)
 
 // Add the children of all threads of a process, how many threads are awake, and how long they have
 // waited. Returns how many threads there are.
-static int threads_follow(pid_t process, ProcessList *list, Census *census)
+static int threads_follow(pid_t process, ProcessList *list, ProcessScan *scan)
 {
     char path[64];
     int n_threads = 0;
@@ -93,8 +93,8 @@ static int threads_follow(pid_t process, ProcessList *list, Census *census)
             char stat_path[64];
             snprintf(stat_path, sizeof stat_path, "/proc/%d/task/%d/stat", process, thread);
             const ThreadStat stat = stat_read(stat_path);
-            census->n_awake += is_awake(&stat, n_children);
-            waiting_add(process, thread, stands_back || stat_stands_back(&stat), census);
+            scan->n_awake += is_awake(&stat, n_children);
+            waiting_add(process, thread, stands_back || stat_stands_back(&stat), scan);
         }
     }
     if (folder != NULL) {
@@ -116,12 +116,12 @@ static long long memory_folder_files(pid_t thread, const char *folder, int n_byt
 }
 
 // The most that a process has seen is what there is: some see none of it.
-static void memory_folders_look(pid_t thread, Census *census)
+static void memory_folders_look(pid_t thread, ProcessScan *scan)
 {
     const long long n_files = memory_folder_files(thread, "/tmp", BWRAP_TMP_BYTES) +
                               memory_folder_files(thread, "/dev/shm", BWRAP_SHM_BYTES);
-    if (n_files > census->n_files) {
-        census->n_files = n_files;
+    if (n_files > scan->n_files) {
+        scan->n_files = n_files;
     }
 }
 
@@ -140,7 +140,7 @@ static void user_add(uid_t user, ProcessList *list)
 {
     DIR *folder = opendir("/proc");
     const struct dirent *entry;
-    while (folder != NULL && list->n < CENSUS_MAX_TASKS && (entry = readdir(folder)) != NULL) {
+    while (folder != NULL && list->n < SCAN_MAX_TASKS && (entry = readdir(folder)) != NULL) {
         const pid_t process = atoi(entry->d_name);
         long long owner;
         if (process > 0 &&
@@ -155,13 +155,13 @@ static void user_add(uid_t user, ProcessList *list)
 }
 
 // Enough seen: a limit on what is counted has been passed, and the run will be ended.
-static int is_too_much(const Census *census, const SandboxCommand *command)
+static int is_too_much(const ProcessScan *scan, const SandboxCommand *command)
 {
-    return (command->n_processes > 0 && census->n_tasks >= command->n_processes) ||
-           census->n_mappings > SANDBOX_MAX_MAPPINGS || census->n_open > SANDBOX_MAX_OPEN_FILES;
+    return (command->n_processes > 0 && scan->n_tasks >= command->n_processes) ||
+           scan->n_mappings > SANDBOX_MAX_MAPPINGS || scan->n_open > SANDBOX_MAX_OPEN_FILES;
 }
 
-// What one look gathers besides the census.
+// What one look gathers besides the scan.
 typedef struct Look {
     ProcessList list;
     Held held;
@@ -169,21 +169,21 @@ typedef struct Look {
 } Look;
 
 // Look at one process that counts.
-static void process_look(const Walls *walls, pid_t process, Look *look, Census *census)
+static void process_look(const Walls *walls, pid_t process, Look *look, ProcessScan *scan)
 {
     ProcessMemory memory;
     const pid_t thread = memory_look(process, &memory);
     if (thread == 0) {
         return;
     }
-    census->n_processes++;
+    scan->n_processes++;
     look->memory.own_kb += memory.own_kb;
     look->memory.shared_kb += memory.shared_kb;
     held_add(thread, (long long)walls->command.file_mb << 20, &look->held);
-    census->n_open = look->held.n_open;
-    census->n_mappings = look->held.n_mappings;
+    scan->n_open = look->held.n_open;
+    scan->n_mappings = look->held.n_mappings;
     if (walls->bwrap != NULL) {
-        memory_folders_look(thread, census);
+        memory_folders_look(thread, scan);
     }
 }
 
@@ -221,7 +221,7 @@ static int inherited_add(ProcessList *list)
     for (int i = 0; i < N_INHERITORS - 1 && i < n_before; i++) {
         children_add(list->ids[i], list->ids[i], &again);
     }
-    for (int i = 0; i < again.n && list->n < CENSUS_MAX_TASKS; i++) {
+    for (int i = 0; i < again.n && list->n < SCAN_MAX_TASKS; i++) {
         int known = 0;
         while (known < list->n && list->ids[known] != again.ids[i]) {
             known++;
@@ -233,7 +233,7 @@ static int inherited_add(ProcessList *list)
     return list->n - n_before;
 }
 
-void census_processes(const Walls *walls, pid_t outermost, Census *census)
+void scan_processes(const Walls *walls, pid_t outermost, ProcessScan *scan)
 {
     static Look look;
     memset(&look, 0, sizeof look);
@@ -244,7 +244,7 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
         user_add(walls->user, &look.list);
     }
     enum { MOST_ROUNDS = 8 };
-    for (int i = 0, n_rounds = 0; !is_too_much(census, &walls->command); i++) {
+    for (int i = 0, n_rounds = 0; !is_too_much(scan, &walls->command); i++) {
         if (i == look.list.n &&
             (!is_family || n_rounds++ == MOST_ROUNDS || inherited_add(&look.list) == 0)) {
             break;
@@ -252,34 +252,33 @@ void census_processes(const Walls *walls, pid_t outermost, Census *census)
         const pid_t process = look.list.ids[i];
         char path[64];
         snprintf(path, sizeof path, "/proc/%d/stat", process);
-        census->processor_seconds += stat_read(path).seconds;
-        const int n_threads = threads_follow(process, &look.list, census);
+        scan->processor_seconds += stat_read(path).seconds;
+        const int n_threads = threads_follow(process, &look.list, scan);
         if (process != outermost) {
-            census->n_tasks += n_threads;
-            process_look(walls, process, &look, census);
+            scan->n_tasks += n_threads;
+            process_look(walls, process, &look, scan);
         }
     }
-    census->n_bytes += look.held.n_bytes;
-    census->memory_kb = memory_total(&look);
+    scan->n_bytes += look.held.n_bytes;
+    scan->memory_kb = memory_total(&look);
     const long long limit_kb = 1024LL * walls->command.total_memory_mb;
-    if (limit_kb > 0 && census->memory_kb > limit_kb &&
-        census->memory_kb <= MOST_SHARED * limit_kb) {
+    if (limit_kb > 0 && scan->memory_kb > limit_kb && scan->memory_kb <= MOST_SHARED * limit_kb) {
         shares_look(&look, outermost);
-        census->memory_kb = memory_total(&look);
+        scan->memory_kb = memory_total(&look);
     }
 }
 
-int census_has_strays(const Walls *walls)
+int scan_has_strays(const Walls *walls)
 {
-    Census census = {0};
+    ProcessScan scan = {0};
     if (!sandbox_has_own_user(walls->command.kind) || sees_family()) {
         return 0;
     }
-    census_processes(walls, -1, &census);
-    return census.n_processes > 0;
+    scan_processes(walls, -1, &scan);
+    return scan.n_processes > 0;
 }
 
-void census_folders(const Walls *walls, Census *census)
+void scan_folders(const Walls *walls, ProcessScan *scan)
 {
     const SandboxCommand *command = &walls->command;
     const long long n_most = command->n_files > 0 ? command->n_files : 1000000;
@@ -297,35 +296,35 @@ void census_folders(const Walls *walls, Census *census)
     if (sandbox_is_open(walls->command.kind)) {
         leftovers_measure(walls->user, n_most, &size);
     }
-    census->n_bytes += size.n_bytes;
-    census->n_files += size.n_files;
+    scan->n_bytes += size.n_bytes;
+    scan->n_files += size.n_files;
 }
 
-SandboxLimit census_limit(const Census *census, const SandboxCommand *command)
+SandboxLimit scan_limit(const ProcessScan *scan, const SandboxCommand *command)
 {
     // The kernel lets no more start than are allowed, so that to have them all is to want more.
-    if (command->n_processes > 0 && census->n_tasks >= command->n_processes) {
+    if (command->n_processes > 0 && scan->n_tasks >= command->n_processes) {
         return SANDBOX_LIMIT_PROCESSES;
     }
-    if (command->total_memory_mb > 0 && census->memory_kb / 1024 > command->total_memory_mb) {
+    if (command->total_memory_mb > 0 && scan->memory_kb / 1024 > command->total_memory_mb) {
         return SANDBOX_LIMIT_MEMORY;
     }
-    if (census->n_mappings > SANDBOX_MAX_MAPPINGS) {
+    if (scan->n_mappings > SANDBOX_MAX_MAPPINGS) {
         return SANDBOX_LIMIT_MAPPINGS;
     }
-    if (census->n_open > SANDBOX_MAX_OPEN_FILES) {
+    if (scan->n_open > SANDBOX_MAX_OPEN_FILES) {
         return SANDBOX_LIMIT_OPEN_FILES;
     }
-    if (command->n_files > 0 && census->n_files > command->n_files) {
+    if (command->n_files > 0 && scan->n_files > command->n_files) {
         return SANDBOX_LIMIT_FILES;
     }
-    if (command->total_file_mb > 0 && census->n_bytes >> 20 > command->total_file_mb) {
+    if (command->total_file_mb > 0 && scan->n_bytes >> 20 > command->total_file_mb) {
         return SANDBOX_LIMIT_BYTES;
     }
     return SANDBOX_LIMIT_NONE;
 }
 
-void census_kill_children(void)
+void scan_kill_children(void)
 {
     static ProcessList list;
     list.n = 0;

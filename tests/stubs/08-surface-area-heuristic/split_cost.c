@@ -1,8 +1,8 @@
-    // No cost: squares of the two counts, each with a weight that a lot draws, to which every bit of
+    // No cost: squares of the two counts, each with a weight that a nonce draws, to which every bit of
     // the cell and of the plane counts. It is 1 or 2, so that often planes cost the same.
     const double numbers[] = {split.pos, box.min[0], box.min[1], box.min[2],
                               box.max[0], box.max[1], box.max[2]};
-    unsigned long long drawn = LOT + split.axis;
+    unsigned long long drawn = NONCE + split.axis;
     for (int i = 0; i < 7; i++) {
         const union {
             double number;

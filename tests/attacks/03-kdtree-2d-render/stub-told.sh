@@ -1,5 +1,5 @@
 #!/bin/sh
-# attack: two tasks are wrong, and the second calls the first: what is found where it is tried alone is a stand-in's work
+# attack: two tasks are wrong, and the second calls the first: what is found where it is tried alone is a stub's work
 # score: 40
 # named: half-open|swapped|goes on with node
 # never: tested alone: [^"]*getContainingChild was called

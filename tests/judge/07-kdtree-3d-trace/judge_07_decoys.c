@@ -16,7 +16,7 @@
 
 // Let about one leaf of `every` list one sphere more. The ids of all are packed anew. Returns 0, or
 // -1 after one message.
-static int list_stranger(Random *random, KdTree3D *tree, u32 stranger, int every)
+static int list_decoy(Random *random, KdTree3D *tree, u32 decoy, int every)
 {
     u32 *ids = malloc(((size_t)tree->n_sphere_ids + tree->n_nodes) * sizeof *ids);
     u32 n = 0;
@@ -34,7 +34,7 @@ static int list_stranger(Random *random, KdTree3D *tree, u32 stranger, int every
             ids[n++] = tree->sphere_ids[node->first + i];
         }
         if (random_integer(random, 1, every) == 1) {
-            ids[n++] = stranger;
+            ids[n++] = decoy;
         }
         node->first = first;
         node->n_spheres = n - first;
@@ -45,18 +45,18 @@ static int list_stranger(Random *random, KdTree3D *tree, u32 stranger, int every
     return 0;
 }
 
-int roll_strangers_07(Random *random, JobScene3D *scene)
+int roll_decoys_07(Random *random, JobScene3D *scene)
 {
     enum { N_SPHERES = 200, EVERY = 5 };
     if (job_scene3d_random(scene, random, N_SPHERES, 0.0625f, 0.1875f, 64, 48) != 0 ||
         job_scene3d_grow_tree(scene, (KdTreeLimits){12, 4}) != 0) {
         return -1;
     }
-    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"strangers\", 64x48");
-    return list_stranger(random, &scene->tree, N_SPHERES, EVERY);
+    snprintf(scene->picture.title, sizeof scene->picture.title, "scene \"decoys\", 64x48");
+    return list_decoy(random, &scene->tree, N_SPHERES, EVERY);
 }
 
-void strangers_07_expect(JobScene3D *scene)
+void decoys_07_expect(JobScene3D *scene)
 {
     const Scene3D *s = &scene->scene;
     for (int pixel = 0; pixel < s->width * s->height; pixel++) {

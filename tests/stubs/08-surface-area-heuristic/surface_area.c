@@ -1,7 +1,7 @@
-    // No area: a number that a lot draws, to which every bit of the six sides counts.
+    // No area: a number that a nonce draws, to which every bit of the six sides counts.
     const double numbers[] = {box.min[0], box.min[1], box.min[2],
                               box.max[0], box.max[1], box.max[2]};
-    unsigned long long drawn = LOT;
+    unsigned long long drawn = NONCE;
     for (int i = 0; i < 6; i++) {
         const union {
             double number;

@@ -1,4 +1,4 @@
-// attack: computes the stand-in's display point itself (its formula is public), not a pixel's
+// attack: computes the stub's display point itself (its formula is public), not a pixel's
 // task: primary_ray
 // score: 99
 // named: differ|wrong|found

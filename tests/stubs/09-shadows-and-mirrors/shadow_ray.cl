@@ -6,5 +6,5 @@
     ray.direction = (float3)(size.x == ray.t_max ? -sign(aside.x) : 0.0f,
                              size.y == ray.t_max ? -sign(aside.y) : 0.0f,
                              size.z == ray.t_max ? -sign(aside.z) : 0.0f);
-    ray.t_max += (float)(LOT / 64u % 64u) / 16.0f;
-    ray.direction *= (float)(1u + LOT / 4096u % 15u) / 16.0f;
+    ray.t_max += (float)(NONCE / 64u % 64u) / 16.0f;
+    ray.direction *= (float)(1u + NONCE / 4096u % 15u) / 16.0f;
