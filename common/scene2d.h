@@ -30,7 +30,7 @@ int scene2d_open(const char *name, int width, int height, Scene2D *scene);
 // Release the circles; a zeroed Scene2D is fine.
 void scene2d_free(Scene2D *scene);
 
-// ---- For what makes or reads a scene ------------------------------------------------------------------
+// ---- For what makes or reads a scene ------------------------------------------------------------
 
 // The picture's size where neither --size nor the scene says one.
 #define SCENE2D_DEFAULT_SIZE 1024

@@ -22,9 +22,9 @@ int gradebook_page(const Gradebook *gradebook, const char *path, const Worksheet
 int gradebook_page_without_names(const Gradebook *gradebook, const char *path);
 
 // The most frequent mistakes of a class, for the next lecture: how the class did, then a slide for
-// each of the five mistakes that most students made, with the check's hint, and a pair of pictures of
-// one of them. No name is on them, and no text that a student wrote. Whole or not at all; returns 0,
-// or -1 after one message.
+// each of the five mistakes that most students made, with the check's hint, and a pair of pictures
+// of one of them. No name is on them, and no text that a student wrote. Whole or not at all;
+// returns 0, or -1 after one message.
 int gradebook_slides(const Gradebook *gradebook, const char *path);
 
 // ---- For class.html, which is filled with these values (template.h) --------------------------

@@ -2,8 +2,8 @@
 //
 // When something was handed in is what the instructor says, or what the course system wrote. What a
 // student can write decides nothing (course_system.h): such a row is the instructor's to decide, as
-// one of which nobody knows the time. Tasks keep their points: what lateness costs is taken from the
-// sum, after the instructor's corrections. Read next: lateness.c, late_times.c, moment.h.
+// one of which nobody knows the time. Tasks keep their points: what lateness costs is taken from
+// the sum, after the instructor's corrections. Read next: lateness.c, late_times.c, moment.h.
 #ifndef CLASS_LATENESS_H
 #define CLASS_LATENESS_H
 
