@@ -220,7 +220,7 @@ tests: suites memcheck-libraries views pixels $(FIGURES) $(OUT)/tools/plane_cost
 	@$(MAKE) --no-print-directory SANITIZE=1 watched
 check: tests  ## run all tests without installing anything
 	@BUILD="$(BUILD)" tests/run.sh
-test:  ## install what is missing and run the tests' quick: minutes
+test:  ## install what is missing and run the quick part of the tests: minutes
 	@common/setup/install.sh test
 	@$(MAKE) --no-print-directory quick
 	@QUICK=1 BUILD="$(BUILD)" tests/run.sh

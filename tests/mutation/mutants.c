@@ -190,7 +190,13 @@ static int try_all(Session *session, const Trial *trial)
     if (is_read && session_add_seeds(session, trial->n_further) == 0 &&
         session_run(session, solution, 1) == 0 && session_trust_solution(session) == 0) {
         known_answers_keep(&answers, trial->only);
-        status = try_answers(session, trial, &answers);
+        // "/" is in no name: then only the solution is run.
+        if (answers.n == 0 && strcmp(trial->only, "/") != 0) {
+            complain("mutants: --only: no answer of %s has \"%s\" in its name",
+                     session->manifest.lab, trial->only);
+        } else {
+            status = try_answers(session, trial, &answers);
+        }
     }
     known_answers_free(&answers);
     return status;

@@ -12,6 +12,8 @@ tools=${BUILD:-build}/tools
 # it with 20.
 seeds=${SEEDS:-1}
 
+# "1" is lab 01, as for make.
+case ${LAB:-} in ?) LAB=0$LAB ;; esac
 labs=$(cd tests/known && echo "${LAB:-}"*/)
 for lab in $(quick 01-naive-2d/ "$labs"); do
     lab=${lab%/}

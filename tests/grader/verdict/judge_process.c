@@ -56,12 +56,13 @@ static int spawn(JudgeProcess *judge)
 }
 
 // Returns the processor time that it has used, in seconds.
-static double end(JudgeProcess *judge)
+//   status   out: as wait4() has it; may be NULL
+static double end(JudgeProcess *judge, int *status)
 {
     struct rusage used = {0};
     if (judge->pid != 0) {
         fclose(judge->replies);  // it reads that nothing more is asked
-        wait4(judge->pid, NULL, 0, &used);
+        wait4(judge->pid, status, 0, &used);
     }
     judge->pid = 0;
     return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
@@ -69,7 +70,7 @@ static double end(JudgeProcess *judge)
 
 void judge_stop(JudgeProcess *judge)
 {
-    end(judge);
+    end(judge, NULL);
     sections_free(&judge->table);
     *judge = (JudgeProcess){0};
 }
@@ -149,7 +150,7 @@ static int adopt(JudgeProcess *judge)
 // Start the judge anew. Returns 0, or -1 after one message.
 static int restart(JudgeProcess *judge)
 {
-    judge->lost_seconds += end(judge);
+    judge->lost_seconds += end(judge, NULL);
     const int result = start(judge);
     if (result == 0 && judge->adopted.number != 0) {
         adopt(judge);
@@ -191,7 +192,13 @@ static int read_checks(JudgeProcess *judge)
     const char *name, *bytes;
     size_t place = 0, n_bytes;
     if (ask(judge, "checks", "-", NULL, &judge->table) != 0) {
-        return -1;  // it has said why
+        int status = 0;
+        end(judge, &status);
+        if (WIFSIGNALED(status)) {  // else it has said why
+            complain("grade: the judge was ended by signal %d before it named its checks",
+                     WTERMSIG(status));
+        }
+        return -1;
     }
     while ((bytes = sections_next(&judge->table, &place, &name, &n_bytes)) != NULL &&
            judge->n_checks < RESULT_MAX_CHECKS) {
