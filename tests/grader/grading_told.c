@@ -114,14 +114,15 @@ static void tell_end(CheckResult *check, const Variant *alone)
 // Say that it does not compile, by which macro if it may lack one that is defined elsewhere.
 static void tell_lack(const Grading *grading, int t, CheckResult *check)
 {
-    static const char lacks[] = "without your other answers it does not compile";
+    // The macro's name is the student's own text: a cause goes on pages that hold none (class_page.h).
     char *macro = grading_lacked_macro(grading, t);
     if (macro != NULL) {
         tell(check,
-             (Diagnosis){.found = found_and(check, message_new("%s", lacks)),
-                         .cause = message_new("it uses the macro %s, which is not defined between "
-                                              "its own markers",
-                                              macro),
+             (Diagnosis){.found = found_and(check, message_new("without your other answers it does "
+                                                               "not compile: it uses the macro %s",
+                                                               macro)),
+                         .cause = message_new("it uses a macro that is not defined between its own "
+                                              "markers"),
                          .evidence = check->diagnosis.evidence},
              1);
     } else {
