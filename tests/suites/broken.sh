@@ -125,9 +125,10 @@ check "and the later checks say where it ended" holds "no answer: the program ha
 # An answer that crashes only where a whole tree is built, of which no other check sees anything.
 copy_lab solutions $lab
 {
-    echo '    static FILE *usual;'
-    echo '    usual = usual ? usual : stderr;'
-    echo '    if (stderr != usual) *(volatile int *)0 = 1;  // the probe has taken it'
+    echo '    static void *first;'
+    echo '    void *caller = __builtin_return_address(0);'
+    echo '    first = first ? first : caller;'
+    echo '    if (caller != first) *(volatile int *)0 = 1;  // no longer the probe, which calls it first'
     "$holes" read solutions/$lab/$file distribute
 } | answer $file distribute
 broken "a crash in a whole tree costs the task in whose lines it is" 95
