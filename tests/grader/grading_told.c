@@ -114,7 +114,8 @@ static void tell_end(CheckResult *check, const Variant *alone)
 // Say that it does not compile, by which macro if it may lack one that is defined elsewhere.
 static void tell_lack(const Grading *grading, int t, CheckResult *check)
 {
-    // The macro's name is the student's own text: a cause goes on pages that hold none (class_page.h).
+    // The macro's name is the student's own text, and a cause stands on pages that have none of it
+    // (class_page.h).
     char *macro = grading_lacked_macro(grading, t);
     if (macro != NULL) {
         tell(check,
