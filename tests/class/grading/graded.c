@@ -1,6 +1,6 @@
 // Reading results.json back (see graded.h).
 //
-// The writer is report_json.c. Read next: tests/class/gradebook.c.
+// The writer is report_json.c. Read next: gradebook.c.
 #include "graded.h"
 
 #include "complain.h"
